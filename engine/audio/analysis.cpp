@@ -17,8 +17,8 @@ constexpr std::size_t window_samples = 2048;
 constexpr double signature_floor_db = 24;
 /// The audible part of a sound is its shortest beginning that holds this share of its energy.
 constexpr double audible_share = 0.97;
-/// By how much the last number of a signature, which stands for the length of the sound, grows when the
-/// length doubles (dB).
+/// The last number of a signature (the numbers by which two sounds are compared) stands for the length of the
+/// sound. It grows by this amount when the length doubles (dB).
 constexpr double octave_of_length_db = 12;
 
 double decibels(double power) { return power <= 1e-20 ? -200 : 10 / det::log(10) * det::log(power); }
@@ -33,7 +33,7 @@ const std::vector<double>& hann_window() {
     return window;
 }
 
-/// Power of each line of the spectrum of the samples around `middle`.
+/// Power of each line (frequency) of the spectrum of the samples around the index `middle`.
 std::vector<double> lines_around(std::span<const float> samples, std::ptrdiff_t middle) {
     std::vector<std::complex<double>> values(window_samples);
     const auto& window = hann_window();
@@ -141,7 +141,7 @@ std::span<const float> audible_part(std::span<const float> samples) {
 
 Signature signature_of(std::span<const float> samples) {
     const auto audible = audible_part(samples);
-    constexpr std::size_t moments = 4;  // columns of the spectrogram in each quarter of the sound
+    constexpr std::size_t moments = 4;  // columns (moments) of the spectrogram in each quarter of the sound
     const auto spectrogram = spectrogram_of(audible, signature_quarters * moments, signature_bands);
     Signature signature{};
     double loudest = -200;

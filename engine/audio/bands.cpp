@@ -9,7 +9,8 @@
 namespace thaum::audio {
 namespace {
 
-/// Only one of so many samples is filtered. The bands end at 1.2 kHz, so every eighth sample is enough.
+/// Only every eighth sample, 6,000 a second, goes through the filters. This is enough, because the bands end
+/// at 1.2 kHz.
 constexpr std::size_t thinning = 8;
 constexpr double thin_rate = static_cast<double>(sample_rate) / thinning;
 constexpr std::size_t thin_per_block = frame_samples / thinning;
@@ -40,7 +41,7 @@ private:
     double band_{}, low_{};
 };
 
-/// The power of one band, smoothed.
+/// Follows the power of one band of frequencies, smoothed over time.
 class BandPower {
 public:
     explicit BandPower(const Band& band)
@@ -62,7 +63,8 @@ private:
     double power_{};
 };
 
-/// Every eighth sample, after a filter that damps tones above 5 kHz, which would be aliased to low ones.
+/// Every eighth sample of a sound. A filter before damps tones above 5 kHz, which would be aliased to low
+/// ones.
 std::vector<double> thinned(const Sound& sound) {
     const auto size = sound.samples.size();
     const auto sample_at = [&](std::size_t i) {

@@ -19,11 +19,11 @@ inline constexpr std::size_t max_bands = 4;
 
 /// A range of frequencies.
 struct Band {
-    double low_hz{};   ///< lower end, at least 10 (Hz)
-    double high_hz{};  ///< upper end, at most 1200 (Hz)
+    double low_hz{};   ///< lower end of the band, at least 10 (Hz)
+    double high_hz{};  ///< upper end of the band, at most 1200 (Hz)
 };
 
-/// Amplitude of each band (0 to about 1). Bands beyond those asked for have 0.
+/// Amplitude of each band of frequencies (0 to about 1). Entries beyond the number of bands have 0.
 using BandLevels = std::array<float, max_bands>;
 
 /// Levels of the bands of one sound over time.

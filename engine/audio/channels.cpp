@@ -9,7 +9,8 @@ namespace thaum::audio {
 
 void ChannelTones::set(std::size_t channel, const ChannelTone& tone) {
     auto& wave = waves_.at(channel);
-    // A comparison with NaN is false: the wave then fades out or keeps its frequency.
+    // A comparison with NaN is false: the wave then fades out if the amplitude is NaN, or keeps its
+    // frequency.
     wave.wanted = tone.amplitude > 0 ? std::min(tone.amplitude, 1.0) : 0;
     if (tone.hz > 0) wave.hz = std::clamp(tone.hz, lowest_hz, highest_hz);
 }

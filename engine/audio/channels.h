@@ -46,17 +46,17 @@ public:
     /// Makes the next block: channels() * frame_samples values within -1 to 1.
     void mix(std::span<float> block);
 
-    /// Number of channels.
+    /// Number of channels, each of which has one wave.
     std::size_t channels() const { return channels_; }
     /// Whether the next block is silent from its first sample on, unless a wave is set.
     bool is_silent() const;
 
 private:
     struct Wave {
-        double amplitude{};  ///< amplitude at the end of the last block
-        double wanted{};     ///< amplitude at the end of the next block
+        double amplitude{};  ///< amplitude of the wave at the end of the last block
+        double wanted{};     ///< amplitude of the wave at the end of the next block
         double hz{100};
-        double phase{};  ///< phase as a share of a period, 0 to 1
+        double phase{};  ///< phase of the wave as a share of its period, 0 to 1
     };
 
     std::size_t channels_;

@@ -31,7 +31,7 @@ struct Listener {
 /// One sound at one place.
 struct Voice {
     std::uint32_t sound{};  ///< number in the SoundBank
-    /// Identifies a lasting voice from frame to frame; unused for voices that play once.
+    /// Identifies a lasting voice from frame to frame; not used by voices that play once.
     std::uint32_t key{};
     std::uint32_t heard_by{3};  ///< bit i: listener i hears the voice
     bool at_ear{};              ///< true: the voice has no place, and is equally loud everywhere

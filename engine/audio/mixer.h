@@ -48,7 +48,7 @@ struct MixReport {
     std::uint64_t blocks{};
     /// Blocks that were mixed by `run_on`, because no new frame had come.
     std::uint64_t blocks_without_frame{};
-    std::uint32_t voices{};  ///< voices of the last block, of all listeners together
+    std::uint32_t voices{};  ///< voices heard in the last block, by all listeners together
     std::uint64_t begun{};   ///< voices that got a source of OpenAL, which plays them
     std::uint64_t stolen{};  ///< voices that lost their source of OpenAL to louder voices
     /// Audible voices without a source, summed over blocks, and voices for which a frame or max_begins had

@@ -60,8 +60,8 @@ double Playback::step(double now_s) {
         drop_waiting();
         return silent_rest_s;
     }
-    // If this thread itself was held up, the device is not to blame for all of that time, so only a part
-    // counts.
+    // If this thread itself was held up, the device is not to blame for all of the time since the last step,
+    // so only a part of it counts.
     waited_s_ += std::clamp(now_s - last_step_s_, 0.0, longest_wait_s);
     const auto blocks = allowed(device_->wanted(), now_s);
     feed(blocks);

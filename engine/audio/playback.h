@@ -42,8 +42,8 @@ public:
 
     Playback(Mixer mixer, std::unique_ptr<SoundDevice> device);
 
-    /// Queues a frame; called by the simulation thread. Returns false if the queue is full, because the
-    /// device is not fed at the moment.
+    /// Queues a frame; called by the simulation thread. Returns false if the queue is full, which happens
+    /// while the thread that feeds the device takes no frames.
     bool hear(const AudioFrame& frame) { return frames_.push(frame); }
 
     /// Queues a voice that begins, such as a sound of the menu; called by the main thread. Returns false if
@@ -58,7 +58,7 @@ public:
     /// One line: that sound plays, or why none does; empty until the first try to open a device. A report
     /// that is read after the status is at least as recent as the status.
     std::string status() const;
-    /// Counts since the start. Any thread may ask.
+    /// Counts of blocks and frames since the start. Any thread may ask.
     PlaybackReport report() const;
     /// Lets `step` return as soon as a blocking call of the device returns, without calling the device again.
     void abandon() { abandoned_ = true; }
@@ -87,7 +87,7 @@ private:
     TripleBuffer<MixSettings> settings_{MixSettings{}};
 
     std::atomic<bool> plays_{};
-    mutable std::mutex told_;  ///< guards data that other threads set or read
+    mutable std::mutex told_;  ///< guards the members that other threads set or read
     std::string status_{};
     PlaybackReport published_;
 
@@ -95,7 +95,9 @@ private:
     Mixer mixer_;
     std::unique_ptr<SoundDevice> device_;
     PlaybackReport report_;
-    AudioFrame quiet_;  ///< a frame without voices; its listeners are those of the newest frame
+    /// A frame without voices, with the listeners of the newest frame; played when frames stay away, so that
+    /// lasting voices fade out.
+    AudioFrame quiet_;
     bool open_{};
     double next_try_s_{};
     double last_step_s_{};

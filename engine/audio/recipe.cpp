@@ -62,7 +62,7 @@ std::vector<Partial> read_partials(const ConfigTable& table) {
     return partials;
 }
 
-/// Reports a partial above the range of hearing.
+/// Reports a fault if a partial (a sine wave of a tone) lies above the range of hearing.
 void check_highest(const ConfigTable& table, double hz, const std::vector<Partial>& partials) {
     for (const auto& partial : partials) {
         if (hz * partial.ratio <= hz_range.high) continue;

@@ -68,27 +68,29 @@ struct Noise {
 
 /// Short decaying sine waves at random times, as in a creak, a rattle or bubbles.
 struct Grains {
-    Envelope envelope;  ///< gain of a grain by the time of its start
+    Envelope envelope;  ///< gain of a grain, taken at the time at which it starts
     double rate{};      ///< grains per second at the start of the part
     double rate_to{};   ///< grains per second at the end of the part
     double even{};      ///< regularity: 0 for random intervals, 1 for equal ones
     double low_hz{};    ///< lowest frequency of a grain (Hz)
     double high_hz{};   ///< highest frequency of a grain (Hz)
     double ring{};      ///< time in which a grain falls by 60 dB (s)
-    double glide{};     ///< rise of a grain's frequency within `ring` (semitones)
-    /// Spread of the strengths. 0: all grains are equally strong; 1: each has 0 to 1 of the level.
+    double glide{};     ///< rise of a grain's frequency while the grain falls by 60 dB (semitones)
+    /// Spread of the strengths of grains. 0: all are equally strong; 1: each has a random share, 0 to 1, of
+    /// the level.
     double spread{};
 };
 
 /// One note of a score.
 struct Note {
     double beat{};    ///< time at which the note starts (beats)
-    double beats{};   ///< length (beats)
-    double key{};     ///< MIDI number: 69 is 440 Hz, and 1 is a semitone
+    double beats{};   ///< length of the note (beats)
+    double key{};     ///< MIDI number: 69 is 440 Hz, and each 1 more is a semitone up
     double level{1};  ///< amplitude as a multiple of the part's level
 };
 
-/// Notes in one voice. The envelope's `hold` is unused: a note holds for its length.
+/// Notes that are all played with the same envelope and partials. The envelope's `hold` is unused: a note is
+/// held for its own length.
 struct Score {
     Envelope envelope;
     std::vector<Partial> partials;

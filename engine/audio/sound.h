@@ -30,7 +30,7 @@ struct Sound {
     std::vector<float> samples;
 };
 
-/// All sounds of a program, sorted by name. A sound's number is its index.
+/// All sounds of a program, sorted by name. Voices name a sound by its number, which is its index here.
 struct SoundBank {
     std::vector<Sound> sounds;
     /// Recipes (descriptions of sounds in data files) that were left out because of their faults, sorted by

@@ -21,7 +21,7 @@ class Speakers {
 public:
     static constexpr double max_wait_s = 1.5;
 
-    /// Starts the thread.
+    /// Starts the thread, which opens the device and feeds it.
     explicit Speakers(Mixer mixer, std::unique_ptr<SoundDevice> device = openal_device(),
                       double wait_s = max_wait_s);
 
@@ -37,7 +37,7 @@ public:
     /// One line: that sound plays, or why not; empty until the first try to
     /// open a device. Any thread may ask.
     std::string status() const;
-    /// Counts since the start. Any thread may ask.
+    /// Counts of blocks and frames since the start. Any thread may ask.
     PlaybackReport report() const;
 
 private:

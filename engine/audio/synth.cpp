@@ -93,7 +93,7 @@ Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::p
 
 namespace {
 
-/// All fields of a sound except its samples.
+/// A sound with all that its recipe says of it, but still without samples.
 Sound head_of(const Recipe& recipe) {
     return {.name = recipe.name,
             .description = recipe.description,

@@ -26,8 +26,8 @@ public:
 
     /// Appends samples, in stereo left and right in turn. Values outside -1 to 1 are clipped, NaN becomes 0.
     void write(std::span<const float> samples);
-    /// Completes the header and the file. The error names the path:
-    /// FileWriter's, or more than 4 GB of samples.
+    /// Completes the header and the file. The error names the path and says why the file cannot be written,
+    /// such as more than 4 GB of samples.
     Expected<void> close();
     /// Length of what was written (s).
     double seconds() const;

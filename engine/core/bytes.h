@@ -37,7 +37,7 @@ public:
         out_.insert(out_.end(), bytes.begin(), bytes.end());
     }
 
-    /// Writes the length as 32 bits, then the characters.
+    /// Writes the length of a text as 32 bits, then its characters.
     void put_string(std::string_view s) {
         put(static_cast<std::uint32_t>(s.size()));
         put_bytes(std::as_bytes(std::span(s.data(), s.size())));
@@ -53,17 +53,18 @@ private:
     Bytes& out_;
 };
 
-/// Reads what a ByteWriter wrote. Bytes may come from anywhere: a read beyond the end, or of an impossible
-/// value, makes `ok()` false and all later reads return zeros.
+/// Reads what a ByteWriter wrote. The bytes may come from an untrusted source: a read beyond the end, or of
+/// an impossible value, makes `ok()` false and all later reads return zeros.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-    /// Whether every read so far succeeded and nothing was rejected.
+    /// Whether every read so far succeeded and the parser has found no impossible value.
     bool ok() const { return ok_; }
     /// Number of bytes that have not been read yet.
     std::size_t left() const { return bytes_.size() - at_; }
-    /// Marks the input as faulty. A parser calls it if a value that it has read is impossible.
+    /// Marks the input as faulty, so that `ok()` is false. A parser calls it if a value that it has read is
+    /// impossible.
     void reject() { ok_ = false; }
     /// Number of bytes that were read.
     std::size_t position() const { return at_; }
@@ -95,7 +96,7 @@ public:
         return result;
     }
 
-    /// Reads a length of 32 bits, then as many characters.
+    /// Reads a text: its length as 32 bits, then as many characters.
     std::string get_string() {
         const auto chars = get_bytes(get<std::uint32_t>());
         return {reinterpret_cast<const char*>(chars.data()), chars.size()};

@@ -6,7 +6,7 @@
 
 namespace thaum {
 
-/// Linear light of one sRGB channel, both 0 to 1 (IEC 61966-2-1).
+/// Converts one channel of an sRGB colour to linear light; both are 0 to 1 (IEC 61966-2-1).
 double linear_from_srgb(double s);
 
 /// Linear light, 0 to 1, of an sRGB colour 0xRRGGBB.

@@ -30,8 +30,8 @@ struct Config::State {
     std::set<const toml::node*> asked;
     detail::AskedKeys asked_keys;
 
-    /// Marks all keys within a value as asked for, so that a table in the place of a number is reported once,
-    /// not key by key.
+    /// Marks all keys within a value as asked for by a reader. Otherwise a table that stands in the place of
+    /// a number would be reported again for each of its keys, as an unknown one.
     void mark_asked(const toml::node& value);
     /// Adds a fault to those of the file. `misleads`: true if the fault keeps the reader from knowing which
     /// keys belong to this table.
@@ -88,7 +88,8 @@ std::string path_of(const toml::table& outer, const toml::table* table) {
     return "";
 }
 
-/// Adds all keys that no reader asked for. If such a key is a table, the keys in it are not listed.
+/// Adds to `found` all keys of a table that no reader asked for. If such a key is a table, the keys in it are
+/// not listed.
 void find_unknown(const Config::State& state, const toml::table& table, const std::string& path,
                   std::vector<detail::UnknownKey>& found) {
     for (const auto& [key, node] : table) {
@@ -108,7 +109,7 @@ void find_unknown(const Config::State& state, const toml::table& table, const st
 }
 
 /// Whether a reader found a wrong value in this table or below it. Later faults that the reader reports there
-/// mean nothing.
+/// mean nothing, because it worked with a fallback value.
 bool is_misread(const Config::State& state, const toml::node& table) {
     return std::ranges::any_of(state.faults, [&](const ConfigFault& fault) {
         return fault.kind != FaultKind::told && fault.table != nullptr &&
@@ -137,8 +138,8 @@ void Config::State::report(const toml::node* where, FaultKind kind, std::string_
 
 namespace {
 
-/// Serialises a value so that equal values give equal bytes. A value is its kind, then its content; each text
-/// is preceded by its length.
+/// Serialises a value so that equal values give equal bytes. Each value is written as its kind, such as
+/// number or text, then its content. Each text is preceded by its length.
 class CanonicalForm {
 public:
     void add(const toml::node& node) {
@@ -237,14 +238,16 @@ std::string words_of(const toml::node& node) {
     return node.is_table() ? "a table" : "a date or time";
 }
 
-/// The low end of the range as a whole number; 0 if the low end does not fit an integer.
+/// The low end of a range as a whole number, used in place of a missing or faulty value; 0 if it does not fit
+/// an integer.
 std::int64_t low_end(Range range) {
     return range.low > -9e18 && range.low < 9e18 ? static_cast<std::int64_t>(range.low) : 0;
 }
 
 bool in_range(double value, Range range) { return value >= range.low && value <= range.high; }
 
-/// Returns the node at a key and marks it as asked for. Returns null if there is none.
+/// Returns the value at a key of a table and marks the key as asked for by a reader. Returns null if the
+/// table has no such key.
 const toml::node* ask(Config::State& state, const void* table, std::string_view key) {
     if (table == nullptr) return nullptr;
     state.asked_keys[table].emplace(key);
@@ -344,7 +347,8 @@ std::optional<Error> faults_of(const Config::State& state, std::span<const detai
     return detail::told_faults(state.name, state.faults, {unknown.begin(), unknown.end()}, state.asked_keys);
 }
 
-/// Message for a `version` key that stands below the header of a table; empty if there is none.
+/// Part of a message about a missing `version`: where the key stands below the header of a table, which makes
+/// it a key of that table. Empty if it stands nowhere.
 std::string place_of_version(const toml::table& root) {
     for (const auto& [key, node] : root) {
         const auto* table = node.as_table();
@@ -435,7 +439,7 @@ void ConfigTable::demand(std::string_view key, std::string_view allowed, bool mi
         return;
     }
     const auto first = path_.substr(0, path_.find('.'));
-    // The key exists but holds no table. This has been reported already.
+    // The key of the table exists but holds another value, which has been reported already.
     if (as_table(holder_)->contains(first)) return;
     const auto path = path_of(state_->root, as_table(holder_));
     state_->report(as_table(holder_), FaultKind::missing, first,

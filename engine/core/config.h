@@ -28,8 +28,8 @@ class ConfigTable;
 /// A parsed file, and the faults that its readers have found in it.
 class Config {
 public:
-    /// Parses a file, which messages call `name`. The file must have an integer `version` equal to the given
-    /// one.
+    /// Parses the text of a file, which messages call `name`. The file must have an integer `version` equal
+    /// to the given one.
     static Expected<Config> parse(std::string_view toml, std::string name, std::int64_t version);
 
     /// The table that holds all others.
@@ -43,7 +43,7 @@ public:
     /// Returns all faults of the reads so far, and the keys that no reader asked for: the first one as the
     /// message of the error, the others in Error::more.
     Expected<void> check() const;
-    /// Whether no fault has been found so far. Keys that nobody asked for do not count.
+    /// Whether no fault has been found so far. Keys that no reader asked for do not count as faults here.
     bool is_sound() const;
     /// Hash of all keys and values. It ignores comments, spaces, the order of keys and the spelling of a
     /// number (1 or 1.0). It also ignores the top-level keys in `without`.
@@ -93,7 +93,7 @@ public:
     ConfigTable table(std::string_view key) const;
     /// Returns an array of tables, which is empty if the key is missing.
     std::vector<ConfigTable> tables(std::string_view key) const;
-    /// Returns all keys in sorted order and marks them as asked for.
+    /// Returns all keys in sorted order and marks them as asked for, so that none is reported as unknown.
     std::vector<std::string> keys() const;
     /// Reports a fault at this key, or at the table if the key is empty. Nothing is reported if a value of
     /// the table is wrong: the caller then worked with a fallback value.
@@ -105,13 +105,14 @@ private:
     friend class Config;
     ConfigTable(std::shared_ptr<Config::State> state, const void* table, const void* holder, std::string path)
         : state_(std::move(state)), table_(table), holder_(holder), path_(std::move(path)) {}
-    /// Reports a key that is missing. `misleads`: true if other keys of the table depend on it.
+    /// Reports a key as missing if the table lacks it. `allowed` says in words which values it may have.
+    /// `misleads`: true if the value decides which other keys the table has.
     void demand(std::string_view key, std::string_view allowed, bool misleads = false) const;
 
     std::shared_ptr<Config::State> state_;
     const void* table_;   // a toml::table; null if the table is missing
     const void* holder_;  // the table itself; if missing, the innermost table around it in the file
-    std::string path_;    // keys from the holder to a missing table: "shot.trail"
+    std::string path_;    // keys by which a missing table would be reached from holder_: "shot.trail"
 };
 
 /// A text as a quoted TOML string. Control characters become escapes.

@@ -8,7 +8,8 @@ namespace thaum {
 
 /// Four numbers of one vector register, or of two if the processor has no larger ones.
 using Doubles4 = double __attribute__((vector_size(32)));
-/// Four integers, as comparisons of Doubles4 give them: all bits of a lane are set where one holds.
+/// Four integers, as comparisons of Doubles4 give them: where a comparison holds, all bits of the integer are
+/// set.
 using Integers4 = std::int64_t __attribute__((vector_size(32)));
 
 /// The same number in each lane.

@@ -76,7 +76,8 @@ bool flush_to_disk(int fd) {
 }
 
 void occupy_closed_streams() {
-    // `open` returns the lowest free number, so it fills each closed stream before it returns a larger one.
+    // `open` returns the lowest free descriptor, so it gives 0, 1 and 2, the standard streams, if they are
+    // closed.
     int fd = 0;
     do {
         fd = ::open("/dev/null", O_RDONLY);

@@ -12,9 +12,9 @@
 
 namespace thaum {
 
-/// Reads a whole file. From then on no writer of this run may replace it, so that no output destroys an
-/// input. The error names the path and the fault: missing, not an ordinary file (directory, fifo, device),
-/// larger than `limit` bytes, or not readable.
+/// Reads a whole file. From then on this run of the program refuses to overwrite the file, so that no output
+/// destroys an input. The error names the path and the fault: missing, not an ordinary file (directory, fifo,
+/// device), larger than `limit` bytes, or not readable.
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit);
 
 /// Reads the first bytes of a file, at most `most`. The file may have any length; the other errors are those
@@ -24,8 +24,8 @@ Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most);
 /// Reads a whole file, as `read_file` does, and returns it as text.
 Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit);
 
-/// Reads a file that the program owns and may replace itself, such as its settings. tests/structure lists the
-/// callers that may use this.
+/// Reads a file that the program owns and may overwrite later, such as its settings. tests/structure lists
+/// the callers that may use this.
 Expected<std::string> read_own_text_file(const std::filesystem::path& path, std::size_t limit);
 
 /// Files of a folder whose names end with `ending`, such as ".toml", sorted. The error names a folder that

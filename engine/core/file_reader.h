@@ -13,8 +13,8 @@ namespace thaum {
 /// An open file. Its position is where the next bytes are read.
 class FileReader {
 public:
-    /// Whose file is read. No writer of this run may replace a file of the user; the program's own files,
-    /// such as its settings, may be replaced.
+    /// Whose file is read. Once a file of the user was opened, this run of the program refuses to overwrite
+    /// it. The program's own files, such as its settings, may be overwritten.
     enum class Owner : std::uint8_t { user, program };
 
     /// A limit that no file exceeds.

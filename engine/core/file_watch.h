@@ -18,8 +18,8 @@ public:
     /// A file that is missing is watched too, since it may appear later.
     explicit FileWatch(std::vector<std::filesystem::path> files);
 
-    /// Returns the files that differ from the last report, or from the start. Returns none while any file is
-    /// still changing. A removed file counts as changed.
+    /// Returns the files that have changed since this function last returned them, or since the start.
+    /// Returns none while any file is still changing. A removed file counts as changed.
     std::vector<std::filesystem::path> look();
 
 private:

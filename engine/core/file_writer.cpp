@@ -80,7 +80,7 @@ Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
 }
 
 Expected<FileWriter> FileWriter::create_new(const std::filesystem::path& path) {
-    // The name is occupied at once by an empty file, so that two programs never choose the same name.
+    // The target's name is taken at once by an empty file, so that two programs never choose the same name.
     const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) return fault(path, "create", errno);
     ::close(fd);

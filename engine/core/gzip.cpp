@@ -38,7 +38,7 @@ private:
 struct GzipReader::State {
     Source source;
     Rest rest;
-    Inflater inflater{};  ///< its input is a part of `packed`
+    Inflater inflater{};  ///< zlib's state; it reads from `packed`, the bytes to unpack next
     Bytes packed = Bytes(piece);
     bool is_used_up = false;  ///< true: the source has no more bytes
     bool has_ended = false, is_followed = false;
@@ -57,7 +57,8 @@ struct GzipReader::State {
         return {};
     }
 
-    /// Goes on to the next member, or notes the end, behind the last byte of a member.
+    /// Called after the last byte of a gzip member, one of the compressed streams of which the data consist.
+    /// Prepares zlib for the next member, or notes that there is none.
     Expected<void> end_member() {
         const z_stream& stream = inflater.stream;
         if (auto filled = refill(2); !filled) return filled;
@@ -133,7 +134,7 @@ Bytes pack_gzip(std::span<const std::byte> bytes) {
     Bytes out;
     int code = Z_OK;
     while (code == Z_OK) {
-        if (stream.avail_in == 0) {  // in parts, because zlib counts bytes in 32 bits
+        if (stream.avail_in == 0) {  // passed on in parts, because zlib counts bytes in 32 bits
             const auto next = bytes.first(std::min(bytes.size(), std::size_t{1} << 30U));
             stream.next_in = reinterpret_cast<const Bytef*>(next.data());
             stream.avail_in = static_cast<uInt>(next.size());

@@ -12,13 +12,13 @@
 
 namespace thaum {
 
-/// Unpacks gzip data, which may have several members, piece by piece. It needs little memory, whatever the
-/// data claim.
+/// Unpacks gzip data piece by piece; they may have several members (compressed streams in a row). It needs
+/// little memory, whatever size the data claim to have.
 class GzipReader {
 public:
     /// Puts the next packed bytes into `out` and returns how many they are; 0 at their end.
     using Source = std::function<Expected<std::size_t>(std::span<std::byte> out)>;
-    /// Whether other data may follow the last member, or are damage.
+    /// How other data after the last gzip member are treated: as damage, or ignored.
     enum class Rest : std::uint8_t { damage, ignored };
 
     GzipReader(Source source, Rest rest);
@@ -27,7 +27,7 @@ public:
     ~GzipReader();
 
     /// Unpacks the next bytes and returns how many they are: fewer than `out` has room for only at the end of
-    /// the gzip data. The error says what is wrong: not gzip, cut off or damaged. Or it is that of the
+    /// the gzip data. The error says what is wrong: not gzip, cut off or damaged. Or it is the error of the
     /// source.
     Expected<std::size_t> read(std::span<std::byte> out);
     /// Whether data follow that are no gzip data. Known once `read` has reached the end.
@@ -38,12 +38,12 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Unpacks gzip data, which may have several members. The error says what is wrong: not gzip,
-/// cut off, damaged, or larger than `limit` bytes unpacked. Memory stays below about twice
-/// the limit, whatever the data claim.
+/// Unpacks gzip data, which may have several members (compressed streams in a row). The error says what is
+/// wrong: not gzip, cut off, damaged, or larger than `limit` bytes unpacked. Memory stays below about twice
+/// the limit, whatever size the data claim to have.
 Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit);
 
-/// Packs bytes as one member without name or time, so that equal bytes give equal data.
+/// Packs bytes as one compressed stream without file name or time, so that equal bytes give equal data.
 Bytes pack_gzip(std::span<const std::byte> bytes);
 
 }  // namespace thaum

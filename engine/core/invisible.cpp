@@ -8,7 +8,7 @@
 namespace thaum {
 namespace {
 
-/// A range of code points with a name.
+/// A range of invisible characters (code points), with a name for messages.
 struct Invisible {
     char32_t first, last;
     std::string_view name;

@@ -10,7 +10,7 @@ namespace thaum {
 
 struct Jobs::Ticket::Job {
     std::function<void()> body;
-    bool repeats = false;  // true: made by prepare(), so the body is kept after it has run
+    bool repeats = false;  // true: made by prepare(), so the function stays after a run, for the next one
     std::atomic<bool> done{false};
     std::shared_ptr<Job> next{};  // the job that was submitted after this one, while both wait
 

@@ -41,8 +41,8 @@ public:
 
     /// Submits a job. The job must not throw. It may wait for jobs submitted before it.
     Ticket run(std::function<void()> job);
-    /// Makes a job that can be submitted many times, and does not submit it yet. It counts as ended until
-    /// then.
+    /// Makes a job that can be submitted many times, and does not submit it yet. Until it is submitted, its
+    /// ticket says that it has ended.
     static Ticket prepare(std::function<void()> job);
     /// Submits a job made by prepare(), which must have ended. Unlike the other `run`, it allocates nothing.
     void run(const Ticket& prepared);

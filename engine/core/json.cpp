@@ -25,7 +25,7 @@ JsonMember& JsonMember::operator=(JsonMember other) noexcept {
 
 namespace {
 
-/// Indices of the members, sorted by key; members with equal keys keep their order.
+/// Indices of an object's members, sorted by key; members with equal keys keep their order.
 std::vector<std::size_t> order_of_keys(std::span<const JsonMember> members) {
     std::vector<std::size_t> order(members.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -234,7 +234,7 @@ private:
     /// An array or object whose end has not been read yet.
     struct Open {
         std::vector<Json> elements{};
-        std::vector<JsonMember> members{};  ///< the value of the last member has not been read yet
+        std::vector<JsonMember> members{};  ///< members read so far; the last one still lacks its value
     };
 
     bool open() {

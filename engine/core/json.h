@@ -108,7 +108,7 @@ private:
     Content content_{};
 };
 
-/// One member of an object.
+/// One member of a JSON object: a key and its value.
 struct JsonMember {
     JsonMember(std::string_view key, Json value);
     JsonMember(const JsonMember& other);

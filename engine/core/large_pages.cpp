@@ -8,7 +8,7 @@
 
 namespace thaum {
 
-// The kernel takes only whole pages, and only those that lie in this memory as a whole are asked for.
+// The kernel accepts only whole pages, so pages of which only a part lies in this memory are left out.
 void ask_for_large_pages(void* memory, std::size_t bytes) {
     const std::size_t into_page = reinterpret_cast<std::uintptr_t>(memory) % large_page_bytes;
     const std::size_t before = (large_page_bytes - into_page) % large_page_bytes;

@@ -37,8 +37,8 @@ namespace det {
 
 /// @{
 /// Sine, cosine and tangent (rad). The error is within 1 ulp (tan: 3) for every finite angle, however large.
-/// The result is NaN if x is not finite. core/sin_cos.h computes sine and cosine together. Bullet uses these
-/// functions, too (physics/bullet_maths.h).
+/// The result is NaN if x is not finite. core/sin_cos.h computes sine and cosine together. The physics
+/// library Bullet uses these functions, too (physics/bullet_maths.h).
 double sin(double x);
 double cos(double x);
 double tan(double x);

@@ -19,7 +19,7 @@ std::size_t whole_pages(std::size_t bytes) {
 void keep_freed_memory() {
 #ifdef __GLIBC__
     constexpr int own_mapping_from = 32 << 20,
-                  given_back_from = 256 << 20;  // both in bytes; glibc accepts at most 32 MiB for the first
+                  given_back_from = 256 << 20;  // in bytes; glibc limits own_mapping_from to 32 MiB
     mallopt(M_MMAP_THRESHOLD, own_mapping_from);
     mallopt(M_TRIM_THRESHOLD, given_back_from);
 #endif

@@ -99,7 +99,7 @@ double exp(double x) {
 }
 
 std::array<double, 8> exp8(const std::array<double, 8>& x) {
-    constexpr double largest = 700;  // 2^k is a normal number up to here
+    constexpr double largest = 700;  // up to this |x|, the factor 2^k of exp(x) is a normal number
     const bool is_usual = std::ranges::all_of(x, [](double one) { return std::abs(one) <= largest; });
     std::array<double, 8> result{};
     if (!is_usual) {

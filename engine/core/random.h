@@ -1,8 +1,8 @@
 // core/random.h: the only source of randomness in a match. Each subsystem has one generator, whose state is
 // in the World, the container of all state of a match.
 //
-// SplitMix64 (Steele, Lea, Flood 2014). Its state is one 64-bit word, so a generator is an ordinary
-// component.
+// SplitMix64 (Steele, Lea, Flood 2014). Its state is one 64-bit word, so a generator is stored as a
+// component, plain data in the World.
 #pragma once
 #include <cstdint>
 

@@ -31,7 +31,7 @@ public:
     }
     /// All values, sorted by order and name.
     const std::vector<Kind>& all() const { return kinds_; }
-    /// The value of this name; null if there is none. A later `add` makes it invalid.
+    /// The value of this name; null if there is none. The pointer is valid until the next `add`.
     const Kind* find(std::string_view name) const {
         const auto found = std::ranges::find(kinds_, name, &Kind::name);
         return found == kinds_.end() ? nullptr : &*found;

@@ -47,7 +47,8 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    /// Everything that the thread uses. It lives as long as the thread or the owner needs it.
+    /// Everything that the thread uses, the Work included. It lives as long as the thread or the owner needs
+    /// it.
     struct State {
         template <class... Arguments>
         explicit State(Arguments&&... arguments) : work(std::forward<Arguments>(arguments)...) {}
@@ -57,7 +58,8 @@ private:
         Work work;
         std::mutex mutex;  ///< guards the three members below
         bool stop = false;
-        bool left_behind = false;  ///< true: the owner no longer waits; set some time after `stop`
+        /// True: the owner no longer waits for the end of the thread, which it had asked to stop.
+        bool left_behind = false;
         bool ended = false;
         std::condition_variable changed;
     };

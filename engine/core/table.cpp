@@ -37,8 +37,8 @@ std::string_view without_end(std::string_view line) {
 }
 
 /// Finds the separator of a table from its first line: the character that occurs there most often outside of
-/// quotes. If the line holds numbers, which may have decimal commas, it is the character that gives as many
-/// cells as there are usual titles.
+/// quotes. If `usual_titles` is given, the line holds numbers, whose decimal signs may be commas. Then it is
+/// the character that gives as many cells as there are usual titles.
 char separator_of(std::string_view line, std::string_view usual_titles) {
     static constexpr std::string_view separators = ",;\t";
     std::array<std::ptrdiff_t, 3> count{};

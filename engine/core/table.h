@@ -35,7 +35,8 @@ public:
     bool next();
     /// A cell of the row, without its quotes; valid until the next row.
     std::string_view cell(std::size_t column) const { return cells_[column]; }
-    /// Number in a cell of the row. A cell that holds no finite number is a fault; no_column gives 0.
+    /// Number in a cell of the row. A cell that holds no finite number is a fault; a column that the table
+    /// lacks (no_column) gives 0.
     double number(std::size_t column);
 
     /// Line in which the row begins, from 1.
@@ -69,7 +70,7 @@ private:
     /// table that may have decimal commas.
     char point_ = 0;
     char line_end_ = '\n';
-    /// true: the first line held numbers instead of titles, and is the first row.
+    /// true: the first line held numbers instead of titles, so `next` must return it as the first row.
     bool first_row_pending_ = false;
     std::vector<std::string> titles_{};
     std::vector<std::string_view> cells_{};

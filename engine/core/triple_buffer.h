@@ -27,7 +27,7 @@ public:
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & index;
         return true;
     }
-    /// The value that the last successful `take` took; the start value before the first one.
+    /// The value that the last successful `take` took; before the first one, a default-initialised value.
     const T& newest() const { return values_[front_]; }
 
 private:

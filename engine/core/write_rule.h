@@ -22,11 +22,11 @@ bool begins_like_recording(const std::filesystem::path& path);
 /// it. Two names mean the same file if device and inode agree.
 void declare_read(const std::filesystem::path& path);
 
-/// Declares a file that a writer of this run has completed, so that it may be replaced again.
+/// Declares a file that a writer of this run has completed, so that this run may replace it again.
 void declare_written(const std::filesystem::path& target);
 
-/// Declares a file, or a folder of files, that no writer may replace, whoever wrote them. Commands use this
-/// for what they may read after they have begun to write.
+/// Declares a file, or a folder of files, that no writer may replace, whoever wrote them. A command calls it
+/// for files that it may read only after it has begun to write others.
 void protect_input(const std::filesystem::path& path);
 
 /// Returns true if both paths lead to the same file, whether or not the file exists yet.

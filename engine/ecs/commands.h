@@ -12,15 +12,16 @@ namespace thaum::ecs {
 
 class World;
 
-/// Changes of a World that wait until they are applied.
+/// Changes of a World (to entities, and to the components that they have) that were requested and are made
+/// later, by World::apply_commands.
 class Commands {
 public:
     /// Reserves room for the commands of a busy tick, so that the first such tick of a match allocates
     /// nothing.
     Commands();
 
-    /// An entity that will exist once the commands are applied. Until then it is valid in later calls on the
-    /// same Commands.
+    /// An entity that was requested and will exist once the commands are applied. Until then it can be passed
+    /// to other calls of the same Commands.
     struct Pending {
         std::uint32_t number{};
     };
@@ -68,7 +69,7 @@ private:
                  std::size_t size);
     void apply(World& world);
 
-    Bytes bytes_;  // a header for each command, followed by its `size` bytes
+    Bytes bytes_;  // all commands: a header for each, then the `size` bytes of its component
     std::uint32_t pending_ = 0;
     std::vector<Entity> made_;
 };

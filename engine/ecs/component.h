@@ -44,20 +44,20 @@ namespace thaum::ecs {
 /// Greatest number of components and resources (values that systems share) of a World.
 inline constexpr std::size_t max_components = 128;
 
-/// A set of numbers of components and resources of one World.
+/// A set of components and resources (values that systems share), each by its number in one World.
 struct Mask {
     std::array<std::uint64_t, max_components / 64> words{};
 
-    /// Adds a number to the set.
+    /// Adds the component or resource with this number to the set.
     void set(std::uint32_t id) { words[id / 64] |= std::uint64_t{1} << (id % 64); }
     void clear(std::uint32_t id) { words[id / 64] &= ~(std::uint64_t{1} << (id % 64)); }
-    /// Whether the number is in the set.
+    /// Whether the component or resource with this number is in the set.
     bool test(std::uint32_t id) const { return ((words[id / 64] >> (id % 64)) & 1U) != 0; }
-    /// Whether all numbers of `o` are in the set.
+    /// Whether this set contains every member of the set `o`.
     bool contains(const Mask& o) const {
         return (words[0] & o.words[0]) == o.words[0] && (words[1] & o.words[1]) == o.words[1];
     }
-    /// Whether the sets have a number in common.
+    /// Whether the sets have a member in common.
     bool intersects(const Mask& o) const { return ((words[0] & o.words[0]) | (words[1] & o.words[1])) != 0; }
     Mask& operator|=(const Mask& o) {
         for (std::size_t i = 0; i < words.size(); ++i) words[i] |= o.words[i];
@@ -78,7 +78,8 @@ struct FieldInfo {
 };
 
 namespace detail {
-/// Stands for any visitor of fields in the concept `Described`.
+/// Stands for a visitor, a function called with each field, where the concept `Described` tests whether a
+/// type lists its fields.
 struct AnyVisit {};
 }  // namespace detail
 
@@ -135,11 +136,13 @@ std::size_t offset_of(M C::*member) {
     return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&(object->*member)) - storage.data());
 }
 
-/// Appends every scalar of a T at byte `offset` to `out`.
+/// Describes every scalar of a T that begins at byte `offset` of a component: appends its name, place and
+/// type to `out`.
 template <class T>
 void append_scalars(const std::string& prefix, std::size_t offset, std::vector<FieldInfo>& out);
 
-/// Appends the scalars of `count` neighbours of type T. They are named by `letters`, or by their index.
+/// Describes `count` adjacent values of type T, such as those of a vector or an array. Each is named by its
+/// letter in `letters`, or by its index if there are no letters.
 template <class T>
 void append_elements(const std::string& prefix, std::size_t offset, std::size_t count,
                      std::string_view letters, std::vector<FieldInfo>& out) {
@@ -210,8 +213,8 @@ constexpr bool lists_fields_once() {
     }
 }
 
-/// Number of types that have a type number so far. The first World makes arrays of that size and sets
-/// `closed`; from then on no type may be added.
+/// How many types have a type number (an index, given before main) so far. The first World makes arrays of
+/// that size and sets `closed`; from then on no type may be added.
 struct TypeNumbers {
     std::uint32_t count = 0;
     std::atomic<bool> closed = false;  // atomic, since Worlds may be created on several threads

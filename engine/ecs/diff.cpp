@@ -10,8 +10,8 @@
 #include "ecs/snapshot.h"
 #include "ecs/table.h"
 
-// Snapshots are read by their own description and without a World, so that dumps of other builds can be
-// compared.
+// A snapshot is read by the description that it contains, without a World. So snapshots from other builds of
+// the program can be compared.
 namespace thaum::ecs {
 namespace {
 
@@ -52,7 +52,8 @@ std::optional<std::vector<Described>> get_components(ByteReader& in) {
             }
             c.fields.push_back(std::move(field));
         }
-        // A blob (an array that no entity owns) has elements of one field: a number.
+        // Each element of a blob (an array that no entity owns) is one number, so its description has one
+        // field.
         if (c.is_blob && c.fields.size() != 1) return {};
     }
     if (!in.ok()) return {};
@@ -66,8 +67,8 @@ bool get_table(ByteReader& in, const std::vector<Described>& components, Parsed&
     std::vector<Parts*> parts;
     for (std::uint32_t row = 0; row < rows && in.ok(); ++row) {
         parts.push_back(&out.entities[in.get<std::uint32_t>()]);
-        // Skips the generation (how often the number of the entity was used before), which is in the records
-        // too.
+        // Skips the generation (how often the number of the entity was used before), which the list of entity
+        // records holds, too.
         in.get<std::uint32_t>();
     }
     for (std::uint32_t c = 0; c < max_components && in.ok(); ++c) {
@@ -167,7 +168,8 @@ void diff_fields(const Described& a, std::span<const std::byte> bytes_a, const D
     }
 }
 
-/// A blob (an array of numbers that no entity owns) in one snapshot. Without bytes, the snapshot may lack it.
+/// A blob (an array of numbers that no entity owns) in one snapshot. If the snapshot lacks it, `type` is null
+/// and there are no bytes.
 struct BlobOf {
     const Described* type{};
     std::span<const std::byte> bytes;

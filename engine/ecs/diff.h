@@ -11,10 +11,11 @@ namespace thaum::ecs {
 
 /// One value, component or entity in which two snapshots differ.
 struct Difference {
-    std::string component;   ///< component or blob; empty if the entity exists in one snapshot only
+    /// Component or blob (array without an entity); empty if one snapshot lacks the entity.
+    std::string component;
     std::uint32_t entity{};  ///< number of the entity; `none` for a blob
-    /// Name of the field, such as "position.x", or the index "[7]" in a blob. Empty if the component exists
-    /// in one snapshot only, or if the sizes of the blobs differ.
+    /// Name of the field, such as "position.x", or the index "[7]" in a blob (an array that no entity owns).
+    /// Empty if the component exists in one snapshot only, or if the sizes of the blobs differ.
     std::string field;
     std::string a, b;  ///< values in the two snapshots as text; "-" where a snapshot has none
 };

@@ -16,7 +16,7 @@
     static constexpr std::string_view name = #Type; \
     THAUM_FIELDS(Type, __VA_ARGS__)
 
-/// Lists the fields of the surrounding struct. Components may have fields of such a type.
+/// Lists the fields of the surrounding struct, so that a component may have a field of its type.
 #define THAUM_FIELDS(Type, ...)                         \
     template <class Visit>                              \
     static constexpr void visit_fields(Visit&& visit) { \
@@ -33,7 +33,8 @@
     }
 
 // Expands to visit("a", &Type::a); visit("b", &Type::b); ... for up to 256 fields. A macro cannot call
-// itself, so each pass of THAUM_PASSES expands one more call.
+// itself. Each scan of the text therefore expands one call, and THAUM_PASSES_256 has the text scanned again
+// and again.
 #define THAUM_VISIT_EACH(Type, ...) __VA_OPT__(THAUM_PASSES_256(THAUM_VISIT_ONE(Type, __VA_ARGS__)))
 #define THAUM_VISIT_ONE(Type, field, ...)          \
     visit(std::string_view(#field), &Type::field); \

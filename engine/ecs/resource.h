@@ -18,11 +18,11 @@
 
 namespace thaum::ecs {
 
-/// Owner of the value of one resource of a World.
+/// Owns the value of one resource, which the systems of a World share.
 template <ResourceType R>
 class Resource {
 public:
-    /// Type of the value.
+    /// Type of the value that the systems share.
     using Value = typename R::Value;
 
     /// Declares the resource in the World, which must outlive it, and constructs the value from the
@@ -35,12 +35,12 @@ public:
     Resource(const Resource&) = delete;
     Resource& operator=(const Resource&) = delete;
 
-    /// The value, for a system that declared that it reads or writes the resource.
+    /// The value for reading. The running system must have declared that it reads or writes the resource.
     const Value& read() const {
         world_.check_read(number_);
         return value_;
     }
-    /// The value, for a system that declared that it writes the resource.
+    /// The value for changing it. The running system must have declared that it writes the resource.
     Value& write() {
         world_.check_write(number_);
         return value_;

@@ -110,8 +110,8 @@ struct SnapshotAccess {
         world.memory_.release();
         world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
-        // Sets only the counts of components to 0. The counts of resources come after
-        // them in the array and are kept.
+        // Sets the counts (numbers of entities) of components to 0, but keeps the counts of resources, which
+        // come after them in the array.
         std::fill_n(world.counts_.begin(), world.infos_.size(), 0);
         for (auto& blob : world.blobs_) blob.clear();
         world.forget_packs();

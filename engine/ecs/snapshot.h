@@ -5,8 +5,8 @@
 //     components and blobs: count u32, then for each name, size u32, whether it is a blob u8, fields (count
 //         u32, then for each name, offset u32, scalar u8)
 //     entity records: count u32, then for each generation, table, row u32; first free record u32
-//     tables: count u32, then for each mask 2 x u64, rows u32, entities, the cells of each column,
-//         tags (count u32, then for each component u32 and words)
+//     tables: count u32, then for each its set of components 2 x u64, rows u32, entities, the array of values
+//         of each component, tags (count u32, then for each component u32 and one bit per row in words)
 //     for each blob, in the order of declaration: elements u64, their values
 //
 // A string is its length u32 followed by its characters. A snapshot describes itself, so ecs/diff.h can

@@ -80,17 +80,17 @@ private:
     std::size_t allocated_ = 0;  ///< size of an array from the system; 0: it is in TableMemory (bytes)
 };
 
-/// The array of one data component of a table.
+/// The array of one data component of a table (all entities with the same components).
 struct Column {
     std::uint32_t component{};
-    std::uint32_t size{};  ///< size of one row (bytes)
+    std::uint32_t size{};  ///< size of the component in one row (bytes)
     RawArray array;
 
-    /// Cell of the component in this row.
+    /// Address of the component's bytes in this row.
     std::byte* cell(std::uint32_t row) const { return array.data() + std::size_t{row} * size; }
 };
 
-/// Number of 64-bit words that a bit column of `rows` rows needs.
+/// Number of 64-bit words for one bit per row, as a tag has it, in a table of `rows` rows.
 constexpr std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} + 63) / 64; }
 
 /// A tag of a table: one bit per row, set where the entity has the tag. Bits at and beyond `rows` are zero.
@@ -111,22 +111,23 @@ static_assert(max_components < no_tag);
 
 struct Table;
 
-/// The arrays of one component in two tables, between which its cells move.
+/// The arrays of one component in two tables. When an entity moves, its value moves from one to the other.
 struct ColumnPair {
     std::byte* from;
     std::byte* to;
-    std::uint32_t size;  ///< size of a cell (bytes)
+    std::uint32_t size;  ///< size of the component in one row (bytes)
     std::uint32_t component;
 };
 
-/// Leads from one table to the table that has one component more, or one fewer.
+/// A link from one table to the table that has one component more, or one fewer. An entity follows it when
+/// that component is added or removed.
 struct TableEdge {
-    /// A change of an entity, packed by edge_key, that follows this edge; the default matches no table.
+    /// The change of an entity that follows this edge, packed by edge_key. The default is no change's key.
     std::uint64_t key = ~std::uint64_t{0};
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
-    std::pmr::vector<ColumnPair> pairs;  ///< columns that both tables joined by the edge have
+    std::pmr::vector<ColumnPair> pairs;  ///< arrays of the components that both tables have
 
     explicit TableEdge(TableMemory& memory) : pairs(&memory) {}
 
@@ -143,7 +144,7 @@ constexpr std::uint64_t edge_key(std::uint32_t table, std::uint32_t component, b
 struct Table {
     Mask mask;  ///< set of data components
     TableMemory* memory;
-    std::pmr::vector<Column> columns;  ///< columns, sorted by component
+    std::pmr::vector<Column> columns;  ///< arrays of the data components, sorted by number
     std::pmr::vector<TagColumn> tags;  ///< columns of those tags that some row of this table has ever had
     RawArray entity_array;
     std::uint32_t rows = 0;
@@ -171,12 +172,12 @@ struct Table {
     C* cells_of(std::uint32_t component) const {
         return reinterpret_cast<C*>(cells[component]);
     }
-    /// Adds a column, once per component, to a table without rows.
+    /// Adds the array of a data component, which the table does not have yet. The table must have no rows.
     void add_column(std::uint32_t component, std::uint32_t size);
     /// Makes room for this many rows in total in every array.
     void reserve(std::uint32_t rows_wanted);
     void grow() { reserve(capacity == 0 ? 16 : capacity * 2); }
-    /// Appends a row with uninitialised cells and no tags.
+    /// Appends a row for the entity, with uninitialised components and no tags.
     std::uint32_t append(Entity entity) {
         if (rows == capacity) [[unlikely]] {
             grow();
@@ -193,20 +194,20 @@ struct Table {
     struct Moved {
         /// `to_row`: new row in the other table. `last`: row of this table that no longer exists.
         std::uint32_t to_row{}, last{};
-        Entity filler;  ///< entity that is now in the old row
+        Entity filler;  ///< entity that is now in the row that the moved entity has left
     };
     /// Moves the entity's row to the end of the table to which `edge` (a link between two tables) leads. The
     /// last row of this table takes its place. `move_cells` moves the cells afterwards.
     Moved move(std::uint32_t row, Entity entity, const TableEdge& edge);
-    /// Moves only the cells that both tables of the edge have. If the table `to` has one column less, the
-    /// moved row leaves a free cell in that column. The caller fills it, since only the caller may know its
-    /// type.
+    /// Moves the cells (values) of those components that both tables of the edge have. If the table `to` has
+    /// one component less, the moved row leaves a free cell in that component's array. The caller fills it,
+    /// since only the caller may know its type.
     static void move_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
                            std::uint32_t to_row);
     /// Creates the edge (a link between two tables) to `other`, which differs from this table in `component`
     /// only. Called once for each pair of tables and direction.
     void add_edge(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
-    /// Returns the bit column of a tag and creates it on first use.
+    /// Returns the column of a tag, with one bit per row, and creates it on first use.
     TagColumn& tag_column(std::uint32_t component) {
         const auto at = tag_of[component];
         if (at == no_tag) [[unlikely]] {
@@ -246,7 +247,7 @@ template <class Word>
     std::memcpy(to, &word, sizeof word);
 }
 
-/// Calls f(word) with the largest type of word that is not larger than a cell.
+/// Calls f(word) with the largest type of word that is not larger than a cell of `size` bytes.
 template <class F>
 [[gnu::always_inline]] inline void with_word(std::size_t size, F&& f) {
     if (size >= sizeof(Word32)) {
@@ -262,9 +263,10 @@ template <class F>
     }
 }
 
-/// Copies the cell at `hole` to `to`, then the cell at `filler` into the hole. The last word covers the end
-/// of the cell, the others begin at its start. Words may overlap, so a cell may have any size. For that
-/// reason the last words are read before the first is written.
+/// Copies the cell (one component of one entity) at `hole` to `to`, then the cell at `filler` into the hole.
+/// Words are copied from the start of the cell on, but the last one ends where the cell ends. It may overlap
+/// the word before it, so a cell may have any size. For that reason the last words are read before the first
+/// is written.
 [[gnu::always_inline]] inline void move_cell(std::byte* to, std::byte* hole, const std::byte* filler,
                                              std::size_t size) {
     with_word(size, [&]<class Word>(Word) {
@@ -280,7 +282,7 @@ template <class F>
     });
 }
 
-/// Copies a cell. `to` and `from` may be the same cell.
+/// Copies a cell (one component of one entity). `to` and `from` may be the same cell.
 [[gnu::always_inline]] inline void copy_cell(std::byte* to, const std::byte* from, std::size_t size) {
     with_word(size, [&]<class Word>(Word) {
         const std::size_t end = size - sizeof(Word);

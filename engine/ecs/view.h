@@ -51,8 +51,8 @@ struct Term<Without<T>> {
 template <class T>
 inline constexpr bool passed = !Term<T>::tag && !Term<T>::excluded;
 
-/// The argument that a view term gives to the function of `each` for one row: a reference, or a pointer that
-/// may be null.
+/// What the function passed to `each` gets for one term of a view (such as a component) in one row: a
+/// reference, or a pointer that may be null.
 template <class T>
 decltype(auto) argument(typename Term<T>::value* base, std::size_t row) {
     if constexpr (Term<T>::optional) {
@@ -131,7 +131,7 @@ private:
             world_.template known_id<typename detail::Term<T>::component>());
     }
 
-    /// The matching rows among the 64 that begin at `row`, one bit each.
+    /// Those of the 64 rows from `row` on whose entities match the view, as one bit for each row.
     std::uint64_t matching(const Table& table, std::uint32_t row) const {
         const auto left = table.rows - row;
         std::uint64_t word = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;

@@ -78,8 +78,9 @@ void World::fail_access(std::uint32_t number, bool write) const {
 
 namespace {
 
-/// Number of rows for which a new table has room. Few entities have large components, such as the points of a
-/// stroke, so a table with such a column begins small. It then needs no memory beyond TableMemory.
+/// Number of rows for which a new table (of entities with the same components) has room. Few entities have a
+/// large component, such as the points of a stroke, so a table with one begins small. It then needs no memory
+/// beyond TableMemory, which is allocated at the start.
 std::uint32_t first_rows(const Table& table) {
     constexpr std::uint32_t usual_bytes = 16U << 10U, most = 16, least = 2;
     std::uint32_t largest = 1;

@@ -55,15 +55,15 @@ struct Access {
     }
 };
 
-/// Entities, their components, and blobs.
+/// Holds entities, their components, and blobs (arrays of numbers that no entity owns).
 class World {
 public:
     World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// Declares a component or a blob. All of them are declared before the first entity. Their order is part
-    /// of the snapshot format.
+    /// Declares a component or a blob (an array that no entity owns). All are declared before the first
+    /// entity, in an order that is part of the snapshot format.
     template <Declarable C>
     void declare();
     /// Reserves memory for `count` entities. The main loop then need not allocate.
@@ -84,8 +84,8 @@ public:
     Entity create(Cs... components);
     /// Destroys a living entity.
     void destroy(Entity entity);
-    /// Destroys every entity in the order of their numbers, calls the hooks, and empties every blob. The
-    /// history goes on: generations and free entity numbers are kept.
+    /// Destroys every entity in the order of their numbers, calls the hooks, and empties every blob. Free
+    /// entity numbers, and how often each was used, are kept: old handles are still recognised as such.
     void clear();
     /// Whether the entity exists and was not destroyed since the handle was taken.
     bool alive(Entity entity) const {
@@ -94,7 +94,7 @@ public:
         return std::size_t{entity.index} * sizeof(Record) < bytes &&
                records_[entity.index].generation == entity.generation && records_[entity.index].table != none;
     }
-    /// Number of entities, summed over the tables.
+    /// Number of living entities.
     std::size_t size() const;
     /// Returns the living entity with this number, or `no_entity` if there is none.
     Entity entity(std::uint32_t index) const {
@@ -202,7 +202,7 @@ private:
 
     struct Record {
         std::uint32_t generation = 0;
-        // None: this record is free, and `row` is the number of the next free record.
+        // Table of the entity. None: this record is free, and `row` is the number of the next free record.
         std::uint32_t table = none;
         std::uint32_t row = none;
     };
@@ -217,7 +217,7 @@ private:
         std::byte* array;
         std::uint32_t row;
     };
-    /// A cell whose entity has moved away. The cell of row `filler` must be moved into it.
+    /// A cell of a component that its entity has left. The cell of row `filler` must be moved into it.
     struct Hole {
         std::byte* array;
         std::uint32_t row, filler;
@@ -289,7 +289,7 @@ private:
     /// Looks up the edge (link between two tables) that adds or removes a component, and remembers it. An
     /// assertion fails if the entity already has the component to be added, or lacks the one to be removed.
     const TableEdge& find_edge(std::uint32_t table, std::uint32_t component, bool more, Entity entity);
-    /// Moves the entity to the table to which the edge leads and returns its new row there.
+    /// Moves the entity along the edge (link between two tables) and returns its row in the new table.
     std::uint32_t follow(const TableEdge& edge, Record& record, Entity entity);
     void forget_packs();
     void call(const Hook& hook, std::uint32_t component, Entity entity);
@@ -469,15 +469,15 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     table.tags[at].clear(r.row);
 }
 
-// The cells are moved last. A write through a byte pointer may alias anything, so values used after it would
-// be loaded again.
+// The cells are moved last, through byte pointers. The compiler must assume that such a write can change any
+// value, so it would load those that are used afterwards again.
 [[gnu::always_inline]] inline std::uint32_t World::follow(const TableEdge& edge, Record& record,
                                                           Entity entity) {
     const auto row = record.row;
     const auto [to_row, last, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
-    // This is set after the record of `filler`. If the entity was in the last row, both are the same record,
-    // which must end up with the new place.
+    // This is set after the record of `filler`, the entity that takes the free row. If the entity was in the
+    // last row, both are the same record, which must end up with the new place.
     record.table = edge.to_number;
     record.row = to_row;
     Table::move_cells(edge, row, last, to_row);

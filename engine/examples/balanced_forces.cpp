@@ -1,5 +1,6 @@
-// Four haptic primitives, one of each kind, act on a proxy that a spring ties to the probe. Prints where the
-// proxy comes to rest and with which force each primitive holds it there (device frame).
+// Four haptic primitives (simple sources of force), one of each kind, act on a proxy that a spring ties to
+// the probe. Prints where the proxy comes to rest and with which force each primitive holds it there (device
+// frame).
 #include <array>
 #include <iostream>
 

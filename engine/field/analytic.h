@@ -51,15 +51,15 @@ struct RankineVortex {
     vec3 middle{};  ///< any point on the axis
     /// Axis of the flow, a unit vector; the flow turns about the axis by the right-hand rule.
     vec3 axis{0, 1, 0};
-    double radius{1};  ///< radius of the core, > 0 (m)
-    double speed{1};   ///< speed at the edge of the core (m/s)
+    double radius{1};  ///< radius of the core, which turns like a rigid body; > 0 (m)
+    double speed{1};   ///< speed at the edge of the core, where it is greatest (m/s)
 
     Vector operator()(vec3 place) const;
 };
 
 /// A periodic flow whose curl is `wave` times its velocity.
 struct BeltramiFlow {
-    vec3 strength{1};  ///< strengths A, B and C of its three waves (m/s)
+    vec3 strength{1};  ///< strengths A, B and C of the three waves that make up the flow (m/s)
     double wave{1};    ///< wave number (1/m)
 
     Vector operator()(vec3 place) const;

@@ -103,13 +103,13 @@ bool all_equal(const float* samples, float value) {
     return equal;
 }
 
-/// Set of the distinct finite values seen so far, while they are few.
+/// The distinct finite sample values seen so far, until they are no longer few.
 struct FewValues {
     std::array<float, few_values> known{};
     std::size_t count = 0;
     float last = std::numeric_limits<float>::quiet_NaN();
 
-    /// Adds a value. Returns false once there are too many.
+    /// Adds a sample value if it is new. Returns false once there are more than `few_values`.
     bool add(float sample) {
         if (sample == last || !std::isfinite(sample)) return true;
         last = sample;

@@ -24,8 +24,8 @@ struct BlockAverages {
     /// Bricks::newest (number of the body's last change) when the averages were made.
     std::uint32_t newest{};
 
-    /// The averages of the blocks of a grid, in its frame; without samples if averages are not needed. Valid
-    /// until the averages are made again.
+    /// The averages as a grid that lies where the samples of `of` lie, from which they were made. It has no
+    /// samples if averages are not needed. Valid until the averages are made again.
     Grid grid(const Grid& of) const;
 };
 

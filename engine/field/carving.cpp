@@ -17,18 +17,19 @@
 namespace thaum::field {
 namespace {
 
-// When a filter brings a density as near as this to the constant towards which it moves it, the density
-// becomes the constant exactly (share of the range from empty to full).
+// A filter moves a density gradually towards a constant. When they differ by at most this (share of the range
+// from empty to full), the density becomes the constant exactly.
 constexpr double close_enough = 0x1.0p-20;
-// Least weight of the tool at a voxel with which an operation of the method `constant` sets its colour, and
-// any operation its material.
+// Least weight of the tool at a voxel with which the voxel's material is set, and its colour if the operation
+// does not mix colours gradually.
 constexpr double half_covered = 0.5;
 
 /// One operation of a tool at one of the places along its motion, with all that it needs there.
 struct Cast {
     const Operation* operation;
     Footprint footprint;
-    double amount;       ///< rate of a filter times the duration for which it acts; not used for a constant
+    /// For a gradual change (`filter`): its rate times the time for which it acts; else not used.
+    double amount;
     std::uint64_t seed;  ///< random seed by which colours are rounded up or down
 };
 
@@ -86,9 +87,10 @@ VoxelBox box_around(const Casts& casts) {
     return box;
 }
 
-/// Density of a voxel after an operation of the method `constant`, of which `weight` is that of the tool's
-/// shape at the voxel. The density must lie between two limits, which at the rim of the tool's shape leave
-/// more room. A density within the limits is kept, so applying the tool again changes nothing.
+/// Density of a voxel after an operation that sets the density to a constant. `weight` is that of the tool's
+/// shape at the voxel. With weight 1 the density becomes the constant. At the rim of the shape weights are
+/// lower, and the density need only lie in a range around the constant, which is wider there. A density in
+/// the range is kept, so applying the tool again changes nothing.
 float limited_density(const VoxelView& body, const Cast& cast, float current, double weight) {
     const double range = static_cast<double>(body.full) - static_cast<double>(body.empty);
     const double empty = static_cast<double>(body.empty), constant = cast.operation->density;
@@ -100,12 +102,12 @@ float limited_density(const VoxelView& body, const Cast& cast, float current, do
 }
 
 using Floats4 = float __attribute__((vector_size(16)));
-/// Four integers, as comparisons of Floats4 give them.
+/// Four integers: the result of comparing two vectors of four floats.
 using Narrow4 = std::int32_t __attribute__((vector_size(16)));
 
-/// Moves a row of densities towards the constant of a filter, each by its share in `shares`, and adds the
-/// changes to `sums`. Returns a bit for each density that changed. Eight are computed at once, which takes a
-/// third of the time; the sums are added one by one, in the order of the row.
+/// Moves each density of a row towards the constant of a filter, by the part of the way that `shares` gives.
+/// Adds the changes to `sums` and returns a bit for each density that changed. Eight are computed at once,
+/// which takes a third of the time; the sums are added one by one, in the order of the row.
 unsigned filter_row(const VoxelView& body, const Cast& cast, std::span<float> row,
                     std::span<const double, brick_size> shares, Edit& sums) {
     const Doubles4 largest = all_four(std::numeric_limits<float>::max());
@@ -141,7 +143,8 @@ unsigned filter_row(const VoxelView& body, const Cast& cast, std::span<float> ro
     return bits;
 }
 
-/// Moves a byte by `share` towards another one, rounded at random; `dice` is the random number, in [0, 1).
+/// Moves a byte towards another one by `share` of their difference. The result is rounded up or down at
+/// random; `dice` is the random number, in [0, 1).
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share, double dice) {
     const double exact = from + share * (to - from);
     return static_cast<std::uint8_t>(std::clamp(exact + dice, 0.0, 255.0));
@@ -204,7 +207,7 @@ bool change(const VoxelView& body, const Cast& cast, const Properties& changes, 
     return changed;
 }
 
-/// Which voxels of a brick have changed: a bit for each voxel, a byte for each row.
+/// Which voxels of a brick (8 x 8 x 8 voxels) have changed: a bit for each voxel, a byte for each row.
 using Changed = std::array<std::uint8_t, brick_size * brick_size>;
 
 /// Applies an operation to a row of voxels, which begins at `first`. Returns a bit for each voxel that

@@ -2,12 +2,13 @@
 // method for volume visualization, 1996, section 6).
 //
 // An edit reads and writes only the voxels that the tool reaches, so its time does not depend on the size of
-// the body. Voxels are changed brick by brick. The result depends on nothing but the body, the tool and the
-// dab (one application of the tool).
+// the body. Voxels are changed brick by brick (8 x 8 x 8 voxels). The result depends on nothing but the body,
+// the tool and the dab (one application of the tool).
 //
-// Density that is not finite, as in some scans, counts as empty. A filter that brings a density to within a
-// millionth of its constant sets the density to the constant: otherwise a melted voxel would never become
-// empty, and its density would end as a denormal number, which takes many times as long to compute with.
+// Density that is not finite, as in some scans, counts as empty. A filter moves a density gradually towards a
+// constant. Once they differ by less than a millionth of the range from empty to solid, the density is set to
+// the constant: otherwise a melted voxel would never become empty, and its density would end as a denormal
+// number, which takes many times as long to compute with.
 //
 // Colours have 8 bits, so a weak filter would change nothing after rounding. The fraction
 // is therefore rounded up or down at random, with the right mean. The paper reports this
@@ -22,17 +23,18 @@ namespace thaum::field {
 struct Dab {
     vec3 place{};      ///< place of the tool (m)
     vec3 motion{};     ///< motion of the tool since its last application (m)
-    mat3 turn{1.0};    ///< rotation from the tool's frame to the body's; boxes, plates and stamps use it
-    double seconds{};  ///< time since the last application, for which a filter acts (s)
-    /// Random seed for the rounding of colours. It differs from dab to dab, as the number of the tick does.
+    mat3 turn{1.0};    ///< rotation from the tool's frame to the body's, for the shapes box, plate and stamp
+    double seconds{};  ///< time since the last application, for which a gradual change acts (s)
+    /// Random seed for the rounding of colours. It differs for each application of the tool, as the number of
+    /// the tick does.
     std::uint64_t seed{};
 };
 
-/// Changes that one edit made.
+/// Changes that one application of a tool made.
 struct Edit {
     VoxelBox changed{};      ///< smallest box of the changed voxels
     std::size_t voxels = 0;  ///< number of changed voxels
-    std::size_t bricks = 0;  ///< number of bricks with a changed voxel
+    std::size_t bricks = 0;  ///< number of bricks (8 x 8 x 8 voxels) with a changed voxel
     double removed = 0;      ///< integral of the density taken away (density m^3)
     double added = 0;        ///< integral of the density brought in (density m^3)
 };
@@ -45,8 +47,9 @@ inline constexpr int max_places = 32;
 /// gaps.
 VoxelBox reach(const VoxelView& body, const Tool& tool, const Dab& dab);
 
-/// Applies the tool once. The bricks of the body that change get a new version. No allocation. A dab outside
-/// the body, or with a number that is not finite, changes nothing.
+/// Applies the tool once. Each brick (8 x 8 x 8 voxels) that changes gets a new version number, for readers
+/// that keep copies. No allocation. A dab outside the body, or with a number that is not finite, changes
+/// nothing.
 Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab);
 
 }  // namespace thaum::field

@@ -13,8 +13,8 @@ VoxelBox box_of(const VoxelView& body, std::uint32_t brick) {
     return brick_box(body.count, {n % count[0], n / count[0] % count[1], n / (count[0] * count[1])});
 }
 
-/// Calls visit(row in the copy, row in the body, number of elements) for each row of each property of the
-/// brick.
+/// For each property of a brick (block of voxels), and each row of its voxels, calls visit(row in the copy,
+/// row in the body, number of elements).
 template <class Copy, class Visit>
 void for_each_run(Copy& copy, const VoxelView& body, Visit visit) {
     const VoxelBox box = box_of(body, copy.brick);
@@ -31,8 +31,8 @@ BrickCopy& copy_at(CarvingHistory& history, std::uint64_t number) {
     return history.ring[static_cast<std::size_t>(number % history.capacity)];
 }
 
-/// A new copy at the end of the ring buffer. It grows up to its capacity, so that unused memory is never
-/// touched.
+/// A new copy of a brick, at the end of the ring buffer. The buffer grows up to its capacity, so that unused
+/// memory is never touched.
 BrickCopy& new_copy(CarvingHistory& history) {
     const std::uint64_t number = history.next++;
     if (number % history.capacity == history.ring.size()) history.ring.emplace_back();
@@ -65,7 +65,8 @@ void forget_all(CarvingHistory& history) {
     history.open = false;
 }
 
-/// Opens a step after all others. Steps that can be redone are kept until the new step has changed something.
+/// Opens a step (the record of a stroke) after all others. Steps that can be redone are kept until the new
+/// step has changed something.
 void open_step(CarvingHistory& history) {
     history.next = history.steps.empty() ? 0 : history.steps.back().first + history.steps.back().count;
     history.steps.push_back({history.next, 0});
@@ -73,8 +74,8 @@ void open_step(CarvingHistory& history) {
     ++history.mark;
 }
 
-/// Forgets the steps that could be redone. The open step, which is kept, then counts as the last one that is
-/// done.
+/// Forgets the steps (strokes) that could be redone, but not the open step after them. That one then counts
+/// as the last step that is done.
 void forget_redo(CarvingHistory& history) {
     if (!history.open || history.done == history.steps.size()) return;
     const auto from = history.steps.begin() + static_cast<std::ptrdiff_t>(history.done);
@@ -94,8 +95,8 @@ std::uint64_t missing_copies(const CarvingHistory& history, const VoxelView& bod
     return missing;
 }
 
-/// Forgets steps until this many more copies of bricks fit in memory: first those that could be redone, then
-/// the oldest ones. Returns false if even the open step itself had to be forgotten.
+/// Forgets steps (records of strokes) until this many more copies of bricks fit in memory: first those that
+/// could be redone, then the oldest ones. Returns false if even the open step itself had to be forgotten.
 bool make_room(CarvingHistory& history, std::uint64_t copies) {
     const auto is_full = [&] {
         return history.next - history.steps.front().first + copies > history.capacity;
@@ -109,8 +110,8 @@ bool make_room(CarvingHistory& history, std::uint64_t copies) {
     return true;
 }
 
-/// Exchanges the contents of a step's copies with the bricks of the body, which undoes the step or redoes it.
-/// Returns a box around these bricks.
+/// Exchanges the bricks that a step (the record of a stroke) holds with those of the body, which undoes the
+/// step or redoes it. Returns a box around these bricks.
 VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelView& body) {
     VoxelBox changed;
     Bricks& bricks = *body.bricks;
@@ -124,7 +125,8 @@ VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelV
     return changed;
 }
 
-/// Drops the open step's copies of bricks that did not change, and the step itself if none is left.
+/// Drops the copies of bricks that did not change from the open step (the record of the current stroke), and
+/// the step itself if none is left.
 void drop_unchanged(CarvingHistory& history, const VoxelView& body) {
     CarvingStep& step = history.steps.back();
     std::uint64_t changed = 0;

@@ -4,9 +4,10 @@
 //     end_step(history, body)            the stroke ends
 //     undo(history, body)                the body as before the stroke
 //
-// A step holds a copy of each brick as it was before the step's first change there. Undo exchanges the copies
-// with the bricks of the body, so the same step then serves for redo. Storing the edits instead would need
-// less memory, but a filter has no inverse.
+// A step is the record of one stroke. It holds a copy of each brick (8 x 8 x 8 voxels) as it was before the
+// stroke first changed it. Undo exchanges the copies with the bricks of the body, so the same step then
+// serves for redo. Storing the edits instead would need less memory, but a filter (a gradual change) has no
+// inverse.
 //
 // A copied brick takes 4 KB. If memory runs out, the oldest steps are forgotten. If a stroke alone needs more
 // than all the memory, its beginning is forgotten, too: undo then returns to some moment within the stroke.
@@ -20,7 +21,8 @@
 
 namespace thaum::field {
 
-/// Copy of a brick's voxels, x fastest. A smaller brick at the far end of the body uses only a part.
+/// Copy of the voxels of a brick (8 x 8 x 8 voxels), x fastest. A smaller brick at the far end of the body
+/// uses only a part of it.
 struct BrickCopy {
     std::uint32_t brick{};
     std::array<float, voxels_of_brick> density{};
@@ -36,41 +38,44 @@ struct CarvingStep {
 
 /// History of one body. Only the functions below change it.
 struct CarvingHistory {
-    std::vector<BrickCopy> ring{};  ///< ring buffer; copy n is at index n modulo the capacity
-    std::uint64_t capacity{};       ///< number of copies that fit into the memory
-    std::uint64_t next{};           ///< number of the next copy
-    /// Steps that can be undone, then steps that can be redone, then an open
+    /// Ring buffer of copied bricks; copy n is at index n modulo the capacity.
+    std::vector<BrickCopy> ring{};
+    std::uint64_t capacity{};  ///< number of copies that fit into the memory
+    std::uint64_t next{};      ///< number that the next copy will have
+    /// Steps (each the record of a stroke) that can be undone, then steps that can be redone, then an open
     /// step that has changed nothing yet.
     std::deque<CarvingStep> steps{};
-    std::size_t done{};    ///< number of steps that can be undone
-    bool open = false;     ///< true while new edits belong to the last step
-    std::uint32_t mark{};  ///< number of the open step, by which kept_in tells the bricks that it has copied
+    std::size_t done{};  ///< number of steps that can be undone
+    bool open = false;   ///< true: a stroke goes on, and new edits belong to the last step
+    /// Number of the open step, with which `kept_in` marks the bricks that it has copied.
+    std::uint32_t mark{};
     std::vector<std::uint32_t> kept_in{};  ///< for each brick: mark of the last step that has a copy of it
 };
 
 inline constexpr std::size_t usual_history_bytes = std::size_t{64} << 20U;
 
-/// `bytes` limits the memory for copies. Address space is reserved at once, but memory is used only as steps
-/// need it.
+/// Makes an empty history. `bytes` limits its memory for copies of voxels. Address space is reserved at once,
+/// but memory is used only as strokes need it.
 CarvingHistory make_history(const VoxelView& body, std::size_t bytes = usual_history_bytes);
 
-/// Ends the open step, if there is one. Copies of bricks that did not change are dropped, and the step with
-/// them if none is left: a stroke that touched nothing is no step. Steps that could be redone are forgotten
-/// once a stroke has changed something.
+/// Ends the open step (the record of the current stroke), if there is one. Copies of bricks that did not
+/// change are dropped, and the step with them if none is left: a stroke that touched nothing is no step.
+/// Steps that could be redone are forgotten once a stroke has changed something.
 void end_step(CarvingHistory& history, const VoxelView& body);
 
-/// Copies the bricks of the box before they are changed, unless the open step has copied them already. Opens
-/// a step if none is open.
+/// Copies the bricks (blocks of voxels) of the box before they are changed, except those that the open step
+/// (the record of the current stroke) has copied already. Opens a step if none is open.
 void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box);
 
-/// Applies a tool (field/carving.h) so that it can be undone, as a part of the open step.
+/// Applies a tool (field/carving.h) as a part of the open step (the record of the current stroke), so that it
+/// can be undone.
 Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistory& history);
 
-/// Undoes the last step. Returns a box around all changed voxels, empty if there is no such step. An open
-/// step is ended first.
+/// Undoes the last step (a whole stroke of carving). Returns a box around all changed voxels, empty if there
+/// is no such step. An open step is ended first.
 VoxelBox undo(CarvingHistory& history, const VoxelView& body);
-/// Redoes the step that was undone last. Returns a box around all changed voxels, empty if there is no such
-/// step.
+/// Redoes the step (stroke of carving) that was undone last. Returns a box around all changed voxels, empty
+/// if there is no such step.
 VoxelBox redo(CarvingHistory& history, const VoxelView& body);
 
 /// Whether there is a stroke of carving to undo.

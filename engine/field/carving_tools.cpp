@@ -13,7 +13,7 @@ namespace {
 
 constexpr double max_extent = 1000;  // largest extent (voxels or m)
 constexpr int max_stamp_edge = 64;   // largest number of cells along an edge of a stamp
-constexpr double max_rate = 1e6;     // largest rate of a filter (1/s)
+constexpr double max_rate = 1e6;     // largest rate at which a property moves towards a constant (1/s)
 constexpr std::array<std::string_view, 3> property_names{"density", "colour", "material"};
 
 std::array<bool, 3> as_list(const Properties& p) { return {p.density, p.colour, p.material}; }
@@ -148,8 +148,8 @@ void check_properties(const ConfigTable& table, const std::vector<Operation>& ea
     }
 }
 
-/// Reports a tool that changes the surface and is limited to the surface: the result would depend on the
-/// order of its operations.
+/// Reports a tool in which one operation changes the density, and so the surface, while one is limited to
+/// voxels at the surface: the result would depend on the order of its operations.
 void check_surface(const ConfigTable& root, const std::vector<Operation>& operations) {
     const bool surface = std::ranges::any_of(operations, &Operation::surface_only);
     const bool density = std::ranges::any_of(operations, [](const auto& o) { return o.changes.density; });

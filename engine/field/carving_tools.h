@@ -46,7 +46,8 @@ enum class Method : std::uint8_t { constant, filter };
 /// Shape within which an operation acts.
 enum class ExtentShape : std::uint8_t { sphere, box, gaussian, plate, stamp };
 
-/// Weights of a stamp from 0 to 1, x fastest. They fill the box of the extent's half edges.
+/// A small body of cells with weights from 0 to 1, x fastest. The cells fill the box that has the half edges
+/// Extent::half.
 struct Stamp {
     std::array<int, 3> cells{};
     std::vector<float> weight{};
@@ -75,9 +76,10 @@ struct Operation {
     Method method{};
     Extent extent{};
     Properties changes{};
-    /// Rate at which a filter moves a property towards its constant where the weight is 1 (1/s).
+    /// Rate at which the method `filter` moves a property towards its constant where the tool's weight is 1
+    /// (1/s).
     double rate = 0;
-    double density = 0;  ///< the constant for density, from 0 (empty) to 1 (solid)
+    double density = 0;  ///< density that is set or approached, from 0 (empty) to 1 (solid)
     Rgb8 colour{};
     std::uint8_t material = 0;
     bool surface_only = false;  ///< true: change only voxels beside the body's surface
@@ -90,7 +92,7 @@ struct Tool {
 };
 
 inline constexpr std::int64_t tool_file_version = 1;
-inline constexpr std::size_t max_operations = 3;  // one operation for each property
+inline constexpr std::size_t max_operations = 3;  // one each for density, colour and material
 inline constexpr std::size_t max_tool_bytes = std::size_t{1} << 20U;
 
 /// Reads a tool. The error names file, line and fault. If two operations change one property, it names both.

@@ -99,8 +99,8 @@ double trilinear(const Grid& grid, vec3 at) {
 }
 
 /// A reference sample of the cell. Kernels are applied to differences from it. Where all samples are equal,
-/// value and gradient are therefore exact; with rounding noise the gradient of a uniform region would have a
-/// direction that jumps, which haptic modes would show.
+/// value and gradient are therefore exact. With rounding noise the gradient of a uniform region would have a
+/// direction that jumps, which a hand that feels the field would notice.
 double base_of(const float* first, const Taps& x, const Taps& y, const Taps& z) {
     return first[x.offset[x.count / 4] + y.offset[y.count / 4] + z.offset[z.count / 4]];
 }

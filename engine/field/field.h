@@ -63,9 +63,9 @@ struct Field {
     Sample operator()(vec3 place) const { return read(what, place); }
 };
 
-/// Field of one value.
+/// A field that has one number at each place.
 using ScalarField = Field<Scalar>;
-/// Field of three components.
+/// A field that has a vector at each place.
 using VectorField = Field<Vector>;
 
 /// Makes a field from any object that maps a place to a Sample when called. If the object has a member

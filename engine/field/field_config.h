@@ -20,7 +20,7 @@ namespace thaum::field {
 TransferFunction read_transfer(const ConfigTable& table, std::string_view key, Range range,
                                const std::vector<double>& fallback);
 
-/// Reads a filter, its parameters within the range.
+/// Reads a filter of fields. A parameter outside the range is reported as a fault.
 Filter read_filter(const ConfigTable& table, Range range);
 
 }  // namespace thaum::field

@@ -124,8 +124,8 @@ Scalar read_clamped(const void* what, vec3 place) {
 Scalar read_smoothed(const void* what, vec3 place) { return stage_of(what).smoothed.component[0](place); }
 Vector read_smoothed_vector(const void* what, vec3 place) { return stage_of(what).smoothed(place); }
 
-/// The output of a filter as a field without a bounding box. `quick`: gradients that would need differences
-/// are 0.
+/// The output of a filter as a field without a bounding box. `quick`: gradients that would take several reads
+/// of the input (differences) are 0.
 template <bool quick>
 AnyField endless_output_of(const FilterStage& stage) {
     const bool vector = stage.input.is_vector();

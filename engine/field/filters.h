@@ -1,4 +1,4 @@
-// field/filters.h: filters between the data and whoever reads them, such as a haptic mode or a picture.
+// field/filters.h: filters between the data and whoever reads them, such as forces on a hand or a picture.
 //
 //     source --> magnitude --> smooth --> clamp --> field
 //
@@ -23,8 +23,9 @@
 //
 // Results are in the frame of the source, whatever the scale in which it is shown. The output of the filters
 // gradient, curl and divergence is therefore per metre of the data: a curl of 2 /s is that of the measured
-// flow. The gradient that a mode reads itself, without a filter, is per metre in the frame where the field is
-// placed (field/placement.h), because the hand moves in that frame. Reading does not allocate.
+// flow. Where forces use the gradient of a field directly, without a filter, it is per metre in the frame in
+// which the field is placed (field/placement.h), because the hand moves in that frame. Reading does not
+// allocate.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -40,7 +41,7 @@
 
 namespace thaum::field {
 
-/// Kind of a filter (table above).
+/// What a filter computes: the length of a vector, derivatives, a x + b, limits, or a Gaussian average.
 enum class FilterKind : std::uint8_t { magnitude, gradient, curl, divergence, scale, clamp, smooth };
 
 /// Names of all kinds, in their order.
@@ -49,7 +50,7 @@ std::span<const std::string_view> filter_names();
 /// One step from a field to another.
 struct Filter {
     FilterKind kind{};
-    double a{}, b{};  ///< parameters as in the table above; unused ones are ignored
+    double a{}, b{};  ///< parameters a and b of the kind, such as the limits of `clamp`; others are ignored
     bool operator==(const Filter&) const = default;
 };
 
@@ -61,9 +62,9 @@ struct AnyField {
     ScalarField scalar{};
     VectorField vector{};
     const Placement*
-        placement{};  ///< placement of the field in the frame of the caller; null: they are the same frame
+        placement{};  ///< placement of the field in the frame of the caller; null: the field is in that frame
 
-    /// Whether the result has three components.
+    /// Whether the field has three components.
     bool is_vector() const { return vector.read != nullptr; }
 };
 
@@ -74,7 +75,7 @@ struct FilterSource {
     std::array<int, 3> count{};
     vec3 spacing{1};                     ///< distance between samples along each axis (m)
     std::uint64_t version{};             ///< version of the data: changes whenever they change
-    Kernel kernel{Kernel::catmull_rom};  ///< kernel between smoothed samples
+    Kernel kernel{Kernel::catmull_rom};  ///< kernel that interpolates between smoothed samples
 };
 
 /// A scalar or vector field that lies, moved and turned, in another frame, and is read in that frame. `field`
@@ -89,15 +90,15 @@ struct PlacedField {
     PlacedField& operator=(const PlacedField&) = delete;
 };
 
-/// Makes `out` the field `own`, which is given in its own frame, at this placement.
+/// Makes `out` a field that reads `own` through this placement, in the frame in which `own` is placed.
 void place(PlacedField& out, const AnyField& own, const Placement& placement);
 
 /// One filter with its input, as a part of a FilteredField.
 struct FilterStage {
     Filter filter{};
     AnyField input{}, quick_input{};
-    vec3 step{}, reach{};      ///< spacing, and half of the extent, of the samples (m)
-    StaggeredGrid smoothed{};  ///< views of smoothed samples; a scalar uses the first
+    vec3 step{}, reach{};      ///< distance between the samples, and half of their extent (m)
+    StaggeredGrid smoothed{};  ///< smoothed samples as grids; a scalar field uses the first
 };
 
 /// Samples that a filter has smoothed.
@@ -109,7 +110,8 @@ struct SmoothedSamples {
 /// A field with a chain of filters behind it. Fields refer to this object, so it must not be moved.
 struct FilteredField {
     AnyField field{};  ///< the output, with value and gradient
-    AnyField quick{};  ///< output with the same value; gradients that would need differences are 0
+    /// Output with the same value in less time; gradients that would need differences are 0.
+    AnyField quick{};
     std::array<FilterStage, max_filters> stages{};
     std::vector<std::unique_ptr<SmoothedSamples>> smoothed{};
     std::uint64_t smoothings{};  ///< number of times that samples have been smoothed so far
@@ -123,8 +125,8 @@ struct FilteredField {
 /// vector. The error names the filter.
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector);
 
-/// Makes `out` the field `source` behind these filters. Takes almost no time unless something must be
-/// smoothed. The error is that of `checked_filters`; `out` is then unchanged.
+/// Makes `out` the result of applying these filters to `source`. Takes almost no time unless something must
+/// be smoothed. The error is that of `checked_filters`; `out` is then unchanged.
 Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters);
 
 /// Averages samples with Gaussian weights along each axis, up to 4 standard deviations (in samples) away.

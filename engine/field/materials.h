@@ -25,7 +25,7 @@ namespace thaum::field {
 /// A material of voxels, as a data file describes it.
 struct Material {
     std::string name;
-    double stiffness{};  ///< stiffness of the wall that a hand feels (N/m)
+    double stiffness{};  ///< stiffness that a hand feels when it pushes into the material (N/m)
     double viscosity{};  ///< drag on a hand inside (N s/m)
     double opacity{};    ///< opacity from 0 to 1
     Rgb8 colour{};

@@ -40,7 +40,8 @@ struct Arrangement {
     mat3 turn{1.0};
 };
 
-/// Arrangement if the file's axes lie along those of space; std::nullopt if they do not.
+/// How the file's axes become those of the volume if they lie along those of space; std::nullopt if they do
+/// not.
 std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
     Arrangement a;
     std::array<bool, 3> used{};
@@ -59,8 +60,8 @@ std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
     return a;
 }
 
-/// Arrangement if the file's axes are turned against those of space but at right angles to each other;
-/// std::nullopt if they are not.
+/// How the file's axes become those of the volume if they are turned against those of space but at right
+/// angles to each other; std::nullopt if they are not.
 std::optional<Arrangement> turned(const std::array<vec3, 3>& direction) {
     Arrangement a;
     std::array<vec3, 3> unit{};
@@ -78,7 +79,7 @@ std::optional<Arrangement> turned(const std::array<vec3, 3>& direction) {
     return a;
 }
 
-/// Reduces each colour to its luminance, or to the V or Y component if the file has one.
+/// Reduces each colour to its luminance, or to its V or Y component if the file's colours are HSV or XYZ.
 void keep_luminance(NrrdColour colour, Volume& volume) {
     // Shares of red, green and blue in the luminance, from ITU-R BT.709.
     constexpr std::array<std::array<double, 3>, 4> shares{
@@ -183,8 +184,9 @@ Volume volume_for(const NrrdHeader& header, const Arrangement& a) {
     return volume;
 }
 
-/// Takes the samples, which are in the volume's order already, as the header says. The error says what is
-/// wrong with the samples, without the path.
+/// Interprets samples as the header says: picks the luminance of colours, turns vectors and adds notes for
+/// the user. The samples are in the volume's order already. The error says what is wrong with them, without
+/// the path.
 Expected<void> interpret(const NrrdHeader& header, const Arrangement& a, const ReadChoice& choice,
                          Volume& volume) {
     if (header.frames > 1)

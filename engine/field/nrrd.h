@@ -48,7 +48,7 @@
 
 namespace thaum::field {
 
-/// Choices for reading a file.
+/// How to read an NRRD file.
 struct ReadChoice {
     /// Largest number of samples times components that is accepted, over all moments of time.
     std::size_t limit = max_samples;

@@ -16,10 +16,10 @@
 
 namespace thaum::field {
 
-/// Settings of `trace`.
+/// How a streamline is traced.
 struct StreamlineSettings {
-    double length = 1;        ///< length of the line (m)
-    bool upstream = false;    ///< true: follows the line against the field
+    double length = 1;        ///< length at which the line ends (m)
+    bool upstream = false;    ///< true: follows the field backwards
     double tolerance = 1e-6;  ///< greatest error of a step (m); 0: every step has the longest allowed length
     /// Limits of the step length, > 0 (m); a step of the shortest length is kept whatever its error.
     double longest_step = 0.02, shortest_step = 1e-5;
@@ -29,16 +29,17 @@ struct StreamlineSettings {
     vec3 low{-std::numeric_limits<double>::infinity()}, high{std::numeric_limits<double>::infinity()};
 };
 
-/// One point of a line.
+/// One point of a streamline.
 struct StreamPoint {
     vec3 place{};    ///< position of the point (m)
     vec3 along{};    ///< direction of the line (unit)
     vec3 across{};   ///< direction across the line (unit), perpendicular to `along`
     double speed{};  ///< length of the field's vector (m/s)
-    double way{};    ///< length of the line from the seed (m)
+    double way{};    ///< length of the line from its first point to this one (m)
 };
 
-/// Reason why a line ends. A field that is not finite counts as `still`.
+/// Why a line ends: its length is reached, the field is 0 or not finite (`still`), the line leaves the box,
+/// or it has the largest allowed number of points.
 enum class StreamEnd : std::uint8_t { length, still, outside, points };
 
 /// Traces a line from `seed` into `out`, whose memory is kept between calls. The first point is the seed.

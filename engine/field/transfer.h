@@ -11,7 +11,7 @@
 // points it never leaves the range of their y, and it rises or falls with x throughout. Points are finite: a
 // coordinate that is not finite or is beyond 1e100 is limited to that range, and NaN becomes 0.
 //
-// Plain data without allocation, so a copy can go into the haptic model.
+// Plain data without allocation, so a copy can be handed to the code that computes forces.
 #pragma once
 #include <array>
 #include <cstdint>

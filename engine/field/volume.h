@@ -54,7 +54,7 @@ struct FileAxes {
     Placement placement{};
 };
 
-/// Error of converting samples to float.
+/// What converting the samples of a file to float has changed.
 struct Rounding {
     double low{}, high{};  ///< smallest and largest finite sample of the file
     double width{};        ///< high - low, computed in the file's number type

@@ -24,13 +24,14 @@ struct VoxelOverlap {
     double ratio() const { return either == 0 ? 1 : static_cast<double>(both) / static_cast<double>(either); }
 };
 
-/// Counts all voxels. `wanted` is a density for each voxel of the body.
+/// Compares a body with a wanted one by counting all voxels. `wanted` has a density for each voxel.
 VoxelOverlap overlap_with(const VoxelView& body, std::span<const float> wanted, float threshold);
-/// Does the same in `overlap`, whose memory is used again: it allocates only if the body has grown.
+/// Compares like overlap_with, but into `overlap`, whose memory is used again: it allocates only if the body
+/// has grown.
 void measure_overlap(const VoxelView& body, std::span<const float> wanted, float threshold,
                      VoxelOverlap& overlap);
 
-/// Recounts the voxels of a box, after an edit, an undo or a redo there.
+/// Counts the voxels of a box again, after an edit, an undo or a redo there.
 void recount(VoxelOverlap& overlap, const VoxelView& body, const VoxelBox& changed);
 
 }  // namespace thaum::field

@@ -8,7 +8,7 @@
 namespace thaum::field {
 namespace {
 
-/// All properties of a voxel, without padding.
+/// All properties of a voxel, without padding, so that equal voxels have equal bytes.
 struct Voxel {
     std::uint32_t density_bits;
     Rgb8 colour;
@@ -18,7 +18,7 @@ struct Voxel {
 };
 static_assert(sizeof(Voxel) == 8 && std::has_unique_object_representations_v<Voxel>);
 
-/// The voxels of a brick, x fastest.
+/// The voxels of a brick (8 x 8 x 8 voxels), x fastest.
 struct BrickVoxels {
     std::array<Voxel, voxels_of_brick> items;
     std::size_t count = 0;

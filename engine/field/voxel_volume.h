@@ -20,8 +20,8 @@ struct DensityRange {
 /// range, its least and greatest finite samples are the densities of empty and of solid material. The surface
 /// is half-way between them. The error says what is wrong with the volume or the range.
 Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range = std::nullopt);
-/// Makes the same body and moves the samples out of the volume, which keeps all else. So a large volume is
-/// not in memory twice. On an error the volume is as before.
+/// Makes a body like the other voxels_of, but moves the samples out of the volume, which keeps all else. So a
+/// large volume is not in memory twice. On an error the volume is as before.
 Expected<Voxels> voxels_of(Volume&& volume, std::optional<DensityRange> range = std::nullopt);
 
 /// Volume of the densities, stored as float32.
@@ -31,11 +31,11 @@ Volume colour_volume(const Voxels& body);
 /// Volume of the material indices, in 8 bits.
 Volume material_volume(const Voxels& body);
 
-/// Takes the colours from a volume of the same count. The samples must be whole numbers from 0 to
-/// 255. On an error the body is as before.
+/// Sets the colours of the voxels from a volume with as many samples along each axis. The samples must be
+/// whole numbers from 0 to 255. On an error the body is as before.
 Expected<void> set_colours(Voxels& body, const Volume& volume);
-/// Takes the material indices from a volume of the same count. The samples must be whole numbers from 0 to
-/// 255. On an error the body is as before.
+/// Sets the material indices of the voxels from a volume with as many samples along each axis. The samples
+/// must be whole numbers from 0 to 255. On an error the body is as before.
 Expected<void> set_materials(Voxels& body, const Volume& volume);
 
 }  // namespace thaum::field

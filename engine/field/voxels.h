@@ -8,7 +8,7 @@
 //
 // Each property is an array of its own, because haptics read only the density, and pictures read mostly the
 // density. Voxel (i, j, k) is element i + count[0] (j + count[1] k) of each array. The arrays may also be
-// blobs of a World: a VoxelView refers to them in the same way.
+// blobs of a World (arrays saved with the game's state): a VoxelView refers to them in the same way.
 //
 // The paper stores a gradient in each voxel, too: 3 bytes of magnitude and direction. Here Grid
 // computes it from the density. A stored gradient would have to be recomputed around each edit, in
@@ -131,7 +131,7 @@ inline constexpr std::size_t max_voxels = std::size_t{1} << 30U;
 /// `max_voxels`.
 Voxels make_voxels(std::array<int, 3> count, vec3 spacing);
 
-/// Voxels of the brick (i, j, k).
+/// The box of the voxels of one brick (a block of 8 x 8 x 8 voxels).
 VoxelBox brick_box(std::array<int, 3> voxels, std::array<int, 3> brick);
 
 /// Bricks that hold voxels of the box, as a box of bricks.
@@ -157,7 +157,7 @@ void for_each_row(const VoxelView& body, const VoxelBox& box, Visit visit) {
     }
 }
 
-/// Marks every brick of the box as changed.
+/// Marks every brick (8 x 8 x 8 voxels) that holds a voxel of the box as changed.
 void mark_changed(Bricks& bricks, const VoxelBox& box);
 
 }  // namespace thaum::field

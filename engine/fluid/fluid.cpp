@@ -28,11 +28,12 @@ constinit MakeSolver make_classic = nullptr;
 
 constexpr double min_h = 1e-6;  // smallest edge length of a cell (m)
 constexpr double max_h = 1e3;
-constexpr double max_lid = 1e3;      // largest speed of the lid (m/s)
+constexpr double max_lid = 1e3;      // largest speed of the lid, the moving wall (m/s)
 constexpr double max_gravity = 1e3;  // largest magnitude of gravity (m/s^2)
 constexpr double max_weight = 1e3;
 constexpr double max_diffusion = 1e3;  // largest diffusion coefficient (m^2/s)
-constexpr double max_density = 1e6;    // largest density of one cell
+// One call of pour() may add at most the amount that one cell would hold at this density.
+constexpr double max_density = 1e6;
 constexpr int max_sweeps = 1000;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
@@ -69,7 +70,7 @@ std::optional<std::string> fault_of(const Settings& settings) {
     return {};
 }
 
-/// Whether a velocity sample can differ from 0. On a wall or a closed face it is always 0.
+/// Whether a velocity sample can differ from 0. On a wall, or on a face that a solid covers, it is always 0.
 bool is_free(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
     if (fluid.settings.solver != Solver::thaum) return true;
     if (fluid.lattice.edges[axis] != Edge::periodic && cell[static_cast<int>(axis)] <= 0) return false;

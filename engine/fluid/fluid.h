@@ -40,7 +40,8 @@ inline constexpr double max_speed = 1e6;
 /// remaining time.
 inline constexpr int max_substeps = 3;
 
-/// One substance carried by the fluid. Its effects are proportional to its density.
+/// One substance carried by the fluid. What it adds to the fluid's viscosity and weight is proportional to
+/// its density.
 struct Substance {
     double viscosity{};  ///< kinematic viscosity that the substance adds where its density is 1 (m^2/s)
     /// Weight that the substance adds where its density is 1, relative to the weight of the base fluid.
@@ -69,13 +70,15 @@ struct Settings {
 
 /// Contents of the box: everything that the next step depends on.
 struct State {
-    /// Velocity (m/s). Ghosts follow the edges; Fluid::place has the positions of the samples.
+    /// Velocity (m/s). The ghost cells around the box are filled as Settings::edges requires. Fluid::place
+    /// has the positions of the samples.
     std::array<Samples, 3> velocity;
     std::array<Samples, 3> push;  ///< velocity that the next step adds (m/s)
     /// Pressure of the last step, from which the next one starts if there are solids; scratch memory of
     /// `classic` (m^2/s^2).
     Samples pressure;
-    /// Potential whose gradient the last projection subtracted; used only with solids (m^2/s).
+    /// Potential whose gradient the last removal of divergence (projection) subtracted; with solids, the next
+    /// one starts from it (m^2/s).
     Samples projected;
     std::vector<Samples> substances;  ///< densities of each substance, >= 0
     bool pushed = false;              ///< true: `push` is not all zero
@@ -115,7 +118,8 @@ Expected<void> check(const Settings& settings);
 /// Check the new settings first.
 Expected<Fluid> make_fluid(const Settings& settings);
 
-/// Momentum for the cells within `radius` of a place, distributed by a smooth kernel whose sum is one.
+/// Momentum given to the fluid within `radius` of a place, distributed over the cells by a smooth kernel
+/// whose sum is one.
 struct Push {
     vec3 place{};     ///< centre (m)
     double radius{};  ///< radius, raised to at least 1.5 cells (m)
@@ -159,14 +163,15 @@ void carry_substances(Fluid& fluid, double dt);
 /// moved into it.
 vec3 velocity_at(const Fluid& fluid, vec3 place);
 
-/// Sets the velocity (m/s) from a function of the place (m). It is evaluated at each sample, which is
-/// the centre of the open part of its face.
+/// Sets the velocity (m/s) from a function of the place (m). It is evaluated where each sample stands: with
+/// `thaum` at the centre of a face, or of the part that no solid covers; with `classic` at the centre of a
+/// cell.
 void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity);
 /// Sets the density of a substance from a function of the place (m), evaluated at cell centres.
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density);
 
-/// Must be called after the caller has changed samples. Restores the conditions at the box's sides and at
-/// solids, and wakes the fluid.
+/// Must be called after the caller has changed samples. Makes velocities and ghost cells fit the box's sides
+/// and the solids again, and wakes the fluid.
 void refresh_after_edit(Fluid& fluid);
 
 /// Total momentum per unit of density (m^4/s), summed in double in a fixed order.

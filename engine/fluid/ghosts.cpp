@@ -62,8 +62,8 @@ Mirrors mirrors(int n, Edge edge, GhostRule rule, int depth) {
     return wall_mirrors(n, rule == GhostRule::even ? 1.0F : -1.0F, depth);
 }
 
-/// Copies a whole row or plane, whose length is a multiple of eight, times a factor. Rows are too short for
-/// calls of functions that copy or clear memory.
+/// Copies a whole row or plane, whose length is a multiple of eight, times a factor. It calls no library
+/// function to copy or clear memory: for such short rows the call would take longer than the copy.
 void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
     if (factor == 1) {
         if (to != from) copy_by_8(from, to, count);

@@ -18,8 +18,8 @@ struct Row {
 struct Rows {
     Lattice lattice{};
     std::vector<Row> rows{};  ///< row j of layer k has the index k * lattice.cells[1] + j
-    /// Indices at which those lattice rows start whose fluid is so near to one end that ghost cells there
-    /// mirror it.
+    /// For those lattice rows whose fluid is so near to one end that ghost cells there mirror it: the indices
+    /// at which the rows start.
     std::vector<std::ptrdiff_t> rows_near_sides{};
     bool complete{};  ///< true: every row contains all cells of its lattice row
 
@@ -35,7 +35,7 @@ Rows whole_rows(const Lattice& lattice);
 /// Sum of the open shares (parts that no solid covers) of the six faces of each cell. `open` has one array
 /// for each component, including ghost cells.
 Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
-/// Rows that contain the cells with a value above 0.
+/// For each lattice row, the part that contains all cells with a value above 0.
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);
 /// Sets the samples in the rows to 0.
 void clear(const Rows& rows, Samples& samples);

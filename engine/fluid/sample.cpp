@@ -15,8 +15,8 @@ T into_box(const Lattice& lattice, std::size_t axis, T place) {
     return std::clamp(place, T{0}, n);
 }
 
-/// Linear interpolation along each axis. `at` (cells) is relative to the sample of cell (0, 0, 0) and must
-/// not lie before the ghost cells.
+/// Linear interpolation along each axis at the place `at`, which is relative to the sample of cell (0, 0, 0)
+/// (cells). The place must not lie before the ghost cells.
 inline float between(const float* first, const std::array<std::ptrdiff_t, 3>& stride,
                      const std::array<float, 3>& at) {
     const float* p = first;

@@ -28,8 +28,8 @@ struct NamedShape {
     bool operator==(const NamedShape&) const = default;
 };
 
-/// Returns Settings::solid for a shape. The error says what is wrong with the name or the numbers. Not
-/// called if the name is empty.
+/// Makes the function Settings::solid for a shape. The error says what is wrong with the name or the numbers.
+/// Not called if the name is empty.
 using SolidFactory = std::function<Expected<std::function<double(vec3)>>(const NamedShape& shape)>;
 
 /// Contents of a saved file.

@@ -6,9 +6,10 @@
 #include "core/assert.h"
 #include "core/text.h"
 
-// The equation of motion is x'' = -K x - 2 d x' + f(x), where f is the force of the probes. The stages
-// of Runge-Kutta then need only the accelerations a0 to a3, because the velocities are combinations of
-// them:
+// The equation of motion is x'' = -K x - 2 d x' + f(x), where x are the heights of the nodes, K is the
+// stiffness of the springs divided by the mass of a node, d the damping, and f the force of the probes
+// divided by that mass. The stages of Runge-Kutta, with heights h0 to h3 and velocities v0 to v3, need only
+// the accelerations a0 to a3, because the velocities are combinations of them:
 //
 //     h1 = h0 + t/2 v0     h2 = h1 + t^2/4 a0     h3 = h0 + t v0 + t^2/2 a1
 //     v1 = v0 + t/2 a0     v2 = v0 + t/2 a1       v3 = v0 + t a2
@@ -21,8 +22,8 @@ namespace {
 /// less than 1.4 % of its energy, and all modes that are five times slower lose less than 1e-6.
 constexpr double max_phase = 1;
 
-/// Stiffnesses of the springs and of gravity (`level`), divided by the mass of a node (1/s^2), and the drag
-/// (1/s).
+/// Stiffnesses of the springs and of gravity (`level`), divided by the mass of a node (1/s^2), and the rate
+/// at which drag slows a node (1/s).
 struct SpringNetwork {
     std::size_t stride{}, first{}, end{};  ///< index distance between rows; nodes from `first` to
                                            ///< before `end`, in x and in z, move
@@ -61,7 +62,8 @@ Span row(const SpringNetwork& net, std::size_t z) {
     return {at + net.first, at + net.end};
 }
 
-/// The indices of row(), extended to whole vectors. close_rows resets the extra values, up to three, to zero.
+/// Range of array indices of the moving nodes of row z, extended to whole vectors of four. close_rows resets
+/// the extra values, up to three, to zero.
 Span vectors(const SpringNetwork& net, std::size_t z) {
     const auto [begin, end] = row(net, z);
     return {begin, begin + (end - begin + 3) / 4 * 4};
@@ -86,7 +88,7 @@ inline double spring_acceleration(const SpringNetwork& net, const double* h, std
 }
 
 /// Writes the mirror images of the heights beyond a free rim, so that waves are reflected without inversion.
-/// Shear springs that would lead outwards lie along the rim.
+/// Shear springs (diagonal ones) that would lead outwards then act as if they lay along the rim.
 void mirror(const SpringNetwork& net, double* h) {
     if (!net.mirrored) return;
     const std::size_t n = net.end, s = net.stride;
@@ -135,7 +137,8 @@ Span nodes_within(const SpringSurfaceSettings& s, double place, double radius) {
     return {static_cast<std::size_t>(from), static_cast<std::size_t>(to) + 1};
 }
 
-/// Computes the footprint with weights proportional to (1 - (r / radius)^2)^2.
+/// Computes the nodes under a probe and their weights, proportional to (1 - (r / radius)^2)^2 at the distance
+/// r.
 Footprint footprint(const SpringSurfaceSettings& s, const SurfaceProbe& p, double* weights) {
     const double a = surface_node_spacing(s), middle = 0.5 * (s.nodes - 1);
     const double radius = std::clamp(p.radius, 1.5 * a, s.side);
@@ -164,8 +167,8 @@ double height_under(const SpringNetwork& net, const Footprint& print, const doub
     return sum;
 }
 
-/// Upward force of the surface on a probe (N). The surface can only push a probe above it, and only pull one
-/// that is `inside`, that is, has broken through.
+/// Upward force of the surface on a probe (N). The surface can only push a probe that is above it, and only
+/// pull a probe that has broken through it (`inside`).
 double contact_force(const SpringSurfaceSettings& s, const Footprint& print, bool inside, double height) {
     const double gap = s.contact * (height - print.height);
     return inside ? std::clamp(gap, -s.cling, 0.0) : std::clamp(gap, 0.0, s.pop_through);
@@ -189,13 +192,13 @@ struct SurfaceStepContext {
     std::array<std::uint32_t, surface_probe_capacity>& inside;
     double* h;
     double* v;
-    double* stage;  ///< heights of one Runge-Kutta stage
+    double* stage;  ///< heights of the nodes in one Runge-Kutta stage (m)
     std::array<double*, 4> a;
     std::array<double, surface_probe_capacity> impulse{};  ///< upward impulse on each probe (N s)
 };
 
-/// Adds the probes' forces to the accelerations of a stage, and force times `share` (s) to the probes'
-/// impulses.
+/// Adds the probes' forces to the accelerations of the nodes in a Runge-Kutta stage, and force times `share`
+/// (s) to the impulses on the probes.
 void add_probes(SurfaceStepContext& m, const double* h, double* a, double share) {
     for (std::size_t p = 0; p < m.footprints.count; ++p) {
         const Footprint& print = m.footprints.prints[p];
@@ -220,8 +223,8 @@ void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict
     }
 }
 
-/// Accelerations `a` of the nodes in a later Runge-Kutta stage. Its velocity is v + t before, where `before`
-/// is the acceleration of an earlier stage.
+/// Accelerations `a` of the nodes in a later Runge-Kutta stage. The velocities in this stage are
+/// `v + t * before`, where `before` are the accelerations of an earlier stage.
 void accelerate(const SpringNetwork& net, Values h, Values v, Values before, double t, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -235,7 +238,7 @@ void close_array(const SpringNetwork& net, double* values) {
     mirror(net, values);
 }
 
-/// Heights of the nodes in a Runge-Kutta stage: h + t v.
+/// Writes the heights of the nodes in a Runge-Kutta stage: `h + t * v`, from heights h and velocities v.
 void place_stage(const SpringNetwork& net, Values h, Values v, double t, double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -244,7 +247,8 @@ void place_stage(const SpringNetwork& net, Values h, Values v, double t, double*
     close_array(net, stage);
 }
 
-/// Heights of the nodes in a later Runge-Kutta stage: h + t v + t2 a.
+/// Writes the heights of the nodes in a later Runge-Kutta stage: `h + t * v + t2 * a`, where `a` are
+/// accelerations.
 void place_stage(const SpringNetwork& net, Values h, Values v, double t, Values a, double t2,
                  double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
@@ -313,8 +317,8 @@ double sum_of_squares(std::span<const double> values) {
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// Whether the energy, by an upper bound, is below the limit at which the surface falls asleep
-/// (SpringSurfaceSettings::still).
+/// Whether the surface may fall asleep: an upper bound of its energy is below the limit that
+/// SpringSurfaceSettings::still sets.
 bool is_still(const SpringSurface& surface, const SpringNetwork& net) {
     const double most =
         net.mass / 2 *
@@ -362,7 +366,8 @@ double stiffness_of_probes(const SpringSurfaceSettings& s, const SpringNetwork& 
     return sum;
 }
 
-/// Number of sub-steps of a call, and the length of each (s).
+/// Number of sub-steps of a call, and the length of each (s). If dt would need more than max_steps of them,
+/// they cover less than dt, because longer ones would be unstable.
 std::pair<std::uint32_t, double> sub_steps(const SpringSurfaceSettings& s, const SpringNetwork& net,
                                            const ProbeFootprints& footprints, double dt) {
     const double rate = std::max(

@@ -17,14 +17,15 @@
 // surface no more. When the probe rises through it again, the surface clings to it and is pulled up. A
 // smaller force, `cling`, tears the surface off the probe.
 //
-// Time stepping is classical Runge-Kutta of fourth order, in equal sub-steps of at most `max_phase` rad of
-// the stiffest mode. The energy then never grows. The number of sub-steps of a call is bounded. If more are
-// needed, the surface advances by less than the given time and reports that time. The surface is then in slow
-// motion, but forces and energy stay right, whereas longer steps would be unstable.
+// Time stepping is classical Runge-Kutta of fourth order, in equal sub-steps. In each, the phase of the
+// stiffest mode of oscillation advances by at most `max_phase` rad, so the energy never grows. The number of
+// sub-steps of a call is bounded. If more are needed, the surface advances by less than the given time and
+// reports that time. The surface is then in slow motion, but forces and energy stay right, whereas longer
+// steps would be unstable.
 //
 // Frame: x and z from the centre of the square, y up from the level surface. All is plain data, without
-// clocks, and without allocation after the first call. A surface with eightfold mirror symmetry keeps
-// it to the bit.
+// clocks, and without allocation after the first call. A surface that is its own mirror image, in any of
+// eight ways, remains so to the bit.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -88,7 +89,7 @@ struct SpringSurface {
     /// Heights (m) and velocities (m/s): nodes + 2 rows of surface_row_stride values. Node (x, z) is at
     /// surface_node_index. The values around the nodes are mirror images at the rim.
     std::vector<double> height{}, velocity{};
-    /// 1: the probe of this index has broken through.
+    /// 1: the probe of this index has broken through the surface.
     std::array<std::uint32_t, surface_probe_capacity> inside{};
     std::uint32_t asleep{1};  ///< 1: the surface sleeps, since every height and velocity is exactly 0
 };
@@ -112,7 +113,8 @@ SpringSurface make_spring_surface(const SpringSurfaceSettings& settings);
 /// again, renews the mirror images and wakes the surface.
 void refresh_after_edit(SpringSurface& surface);
 
-/// Memory to be kept from call to call. Its contents have no meaning between calls.
+/// Working memory, kept from call to call so that only the first one allocates. Its contents have no meaning
+/// between calls.
 struct SpringSurfaceScratch {
     std::vector<double> values{};
 };
@@ -144,10 +146,11 @@ SpringSurfaceStep advance(SpringSurface& surface, SpringSurfaceScratch& scratch,
 /// Energy of motion, of the springs and of gravity (J).
 double energy(const SpringSurface& surface);
 
-/// Upper bound for all frequencies of the surface without probes (rad/s).
+/// Upper bound for the angular frequencies of all oscillations of the surface without probes (rad/s).
 double stiffest_frequency(const SpringSurfaceSettings& settings);
 
-/// Frequency of the lattice's undamped mode (p, q), in closed form (rad/s). Shapes at node (x, z):
+/// Angular frequency of the lattice's undamped mode (p, q), in closed form (rad/s). The mode's height at node
+/// (x, z) is:
 ///
 ///     pinned, p and q from 1 to nodes - 2    sin(p pi x / (nodes - 1)) sin(q pi z / (nodes - 1))
 ///     free, p and q from 0 to nodes - 1      cos(p pi (x + 1/2) / nodes) cos(q pi (z + 1/2) / nodes)

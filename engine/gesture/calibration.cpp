@@ -13,17 +13,18 @@ constexpr double min_distance = 1e-4;
 constexpr double max_margin = 2;
 constexpr std::size_t unknowns = 4;
 constexpr int newton_steps = 30;
-/// Factor of the penalty on the squared weights. Without it, samples that a plane separates (meant ones on
-/// one side, the others on the other side) would give infinite weights.
+/// Factor of the penalty on the squared weights of the logistic function. Without it, samples that a plane
+/// separates (strokes that were meant on one side, all others on the other side) would give infinite weights.
 constexpr double ridge = 0.05;
 
 // Constants of probability_on_purpose. Of all values that were tried on a grid, these give the least mean
-// error on four data sets: letters of one writer, mouse gestures of ten users, and flat figures and spells of
+// error on four data sets: letters of one writer, mouse gestures of ten users, and flat shapes and spells of
 // generated users. None of the sets becomes worse by more than chance.
-/// Weight, in the log odds, of the logarithm of the ratio of two gestures' distances.
+/// Weight, in the log odds, of the logarithm of the ratio of a stroke's distances from the second nearest and
+/// from the nearest gesture.
 constexpr double margin_weight = 17;
-/// Distance that two strokes of the same figure often have. It is added to both distances before their ratio
-/// is taken, because the ratio of smaller distances tells little.
+/// Distance that two strokes of the same gesture often have. It is added to the distances from both gestures
+/// before their ratio is taken, because the ratio of smaller distances tells little.
 constexpr double common_distance = 0.15;
 /// Share of the strokes drawn on purpose that are meant as no gesture.
 constexpr double meant_nothing = 0.006;
@@ -60,7 +61,7 @@ Vector solved(Matrix m, Vector right) {
     return right;
 }
 
-/// Newton's step of the weights towards the largest penalised likelihood.
+/// Step by which Newton's method changes the weights towards the largest penalised likelihood.
 Vector step_of(std::span<const LabelledEvidence> samples, const Vector& weights) {
     Matrix curvature{};
     Vector slope{};

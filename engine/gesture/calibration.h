@@ -1,11 +1,12 @@
 // gesture/calibration.h: how the distances of a stroke from the gestures become a probability, and the
 // decision whether it is accepted.
 //
-// The evidence of a recognition is three numbers: the logarithm of the distance, the logarithm of the ratio
-// of the runner-up's distance to it (at most 2), and the logarithm of the usual distance of the gesture. The
-// probability that the stroke was meant is a logistic function of them (Platt 1999), whose weights are
-// fitted to labelled strokes by Newton's method. Labelled strokes are synthetic at recording time
-// (variations.h), or real where there are some.
+// The evidence of a recognition is three numbers: the logarithm of the stroke's distance from the nearest
+// gesture, the logarithm of the ratio of its distance from the second nearest gesture (the runner-up) to that
+// distance (at most 2), and the logarithm of the distance that strokes of the nearest gesture usually have
+// from one another. The probability that the stroke was meant is a logistic function of them (Platt 1999),
+// whose weights are fitted to labelled strokes by Newton's method. Labelled strokes are synthetic at
+// recording time (variations.h), or real where there are some.
 //
 // Synthetic strokes differ in three ways from what a person draws. Half of them or more mean no gesture. They
 // are nearer to the templates than strokes of other users are, in some sets by half. And they scatter more
@@ -23,14 +24,16 @@ namespace thaum::gesture {
 
 /// Numbers on which the probability of a recognition depends.
 struct Evidence {
-    double distance{};  ///< natural logarithm of the nearest gesture's distance
-    /// Natural logarithm of the ratio of the runner-up's distance to the nearest one's, 0 to 2.
+    double distance{};  ///< natural logarithm of the stroke's distance from the nearest gesture
+    /// Natural logarithm of the ratio of the stroke's distance from the second nearest gesture (the
+    /// runner-up) to that from the nearest one, 0 to 2.
     double margin{};
     double usual{};  ///< natural logarithm of the usual distance between strokes of this gesture
 };
 
-/// The evidence from the distances of a stroke to the nearest gesture and to the runner-up, both >= 0.
-/// `usual` is the usual distance between strokes of the nearest gesture, > 0.
+/// The evidence from the distances of a stroke to the nearest gesture and to the second nearest (the
+/// runner-up), both >= 0. `usual` is the distance that strokes of the nearest gesture usually have from one
+/// another, > 0.
 Evidence evidence_of(float distance, float runner_up, float usual);
 
 /// Evidence of a stroke whose meaning is known.
@@ -42,7 +45,7 @@ struct LabelledEvidence {
 
 /// Turns distances into the probability that a stroke was meant as its nearest gesture.
 struct Calibration {
-    /// Weights of the constant 1, and of distance, margin and usual distance in Evidence.
+    /// Weights of the constant 1 and of the numbers distance, margin and usual of an Evidence.
     std::array<double, 4> weights{};
     std::vector<float> usual;  ///< for each gesture, the usual distance between its strokes
     /// For each gesture, the distance from which on a stroke is not accepted as that gesture.
@@ -53,11 +56,12 @@ struct Calibration {
 };
 
 /// Probability that a stroke which somebody drew on purpose was meant as the nearest gesture, from the
-/// distances of that gesture and of the runner-up, both >= 0. `even` is the probability fitted to synthetic
-/// strokes, half of which mean no gesture.
+/// distances of that gesture and of the second nearest (the runner-up), both >= 0. `even` is the probability
+/// fitted to synthetic strokes, half of which mean no gesture.
 double probability_on_purpose(float distance, float runner_up, double even);
 
-/// Fits the weights. If all samples were meant, or none, the weights give a probability near 1, or near 0.
+/// Fits the weights of the logistic function to strokes whose meaning is known. If all of them were meant, or
+/// none, the weights give a probability near 1, or near 0.
 std::array<double, 4> fit_weights(std::span<const LabelledEvidence> samples);
 
 }  // namespace thaum::gesture

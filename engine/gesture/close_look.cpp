@@ -5,14 +5,16 @@
 namespace thaum::gesture {
 namespace {
 
-/// Distances by which start and end of the window are moved in the three rounds, as shares of its length.
+/// Distances by which the start and the end of the examined part of the motion (the window) are moved in the
+/// three rounds of the search, as shares of its length.
 constexpr std::array look_steps{0.08F, 0.04F, 0.02F};
 constexpr std::size_t shapes_per_step = 4;
-// A window that ends at most this many points after its first is not compared.
+// A part of the motion (window) that ends at most this many points after its first is not compared.
 constexpr std::size_t fewest_points = 4;
 constexpr float not_compared = 1e9F;
 
-/// Directions in which the start and the end of a window move to its eight neighbours.
+/// Directions in which the start and the end of a window (examined part of the motion) move to its eight
+/// neighbours.
 constexpr std::array<std::pair<int, int>, lanes> neighbours{
     {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
 
@@ -55,7 +57,8 @@ void CloseLook::make_neighbour(ShapeSpace& points) {
     ++made_;
 }
 
-/// Moves the window to the best of its eight neighbours if that one is nearer to the template.
+/// Moves the window (examined part of the motion) to the best of its eight neighbours, if that one is nearer
+/// to the template.
 void CloseLook::compare() {
     const std::size_t channels = kind_.channels.depth ? solid_channels : planar_channels;
     std::array<const float*, lanes> values;

@@ -16,14 +16,15 @@ public:
     /// The recogniser must outlive this object.
     explicit CloseLook(const Recogniser& recogniser) : recogniser_(recogniser) {}
 
-    /// Begins with the points from `first` to `last`, a window of the spotter, and the template that it
-    /// resembles.
+    /// Begins with a part of the motion (window) that the spotter found, from the point `first` to `last`,
+    /// and the template that it resembles.
     void begin(std::size_t first, std::size_t last, const RecogniserSpace::Survivor& match);
     /// Ends the search without a result.
     void stop() { active_ = false; }
     /// Whether a search has begun and not ended yet.
     bool is_active() const { return active_; }
-    /// Does one step. Returns true when the search has ended; then the results below are valid.
+    /// Does one step, of which a search has many so that no tick takes long. Returns true when the search has
+    /// ended; then the results below are valid.
     bool step(ShapeSpace& points);
 
     /// Index of the first point of the part of the motion that fits the template best.
@@ -45,8 +46,8 @@ private:
     const Recogniser& recogniser_;
     FineKind kind_{};
     bool active_ = false;
-    /// round_: number of the round; 0 while the window itself is compared. made_: number of neighbouring
-    /// windows whose shapes have been computed in this round.
+    /// round_: number of the round of the search; 0 while the window with which it began is compared. made_:
+    /// number of neighbouring windows whose shapes have been computed in this round.
     std::size_t round_ = 0, made_ = 0;
     std::size_t first_{}, last_{};
     float distance_{};

@@ -9,13 +9,14 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr std::size_t variations = 400;  // number of variations of each gesture
+constexpr std::size_t variations = 400;  // number of variations (synthetic strokes) of each gesture
 
 using Shares = std::vector<std::vector<Mistaken>>;
 
-/// Scatter of a gesture's variations. Users who draw one shape with two different forces keep the forces
-/// apart on purpose, so their force scatters less. But a force that only follows speed scatters as their pace
-/// does: who draws in no hurry would be taken for one who draws the twin.
+/// How much a gesture's variations (synthetic strokes) scatter. Users who draw one shape with two different
+/// forces keep the forces apart on purpose, so their force scatters less. But a force that only follows speed
+/// scatters as their pace does: who draws the gesture of the larger force in no hurry would be taken for one
+/// who draws the other.
 VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture) {
     constexpr double force_of_twins = 0.15;
     VariationSettings scatter;
@@ -26,8 +27,8 @@ VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture
     return scatter;
 }
 
-/// Draws variations of each gesture and returns the shares of them that were recognised as each gesture:
-/// [drawn gesture][recognised gesture].
+/// Draws variations (synthetic strokes) of each gesture and returns the shares of them that were recognised
+/// as each gesture: [drawn gesture][recognised gesture].
 Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> gestures,
                        const ReadStroke& read, RecogniserSpace& space) {
     Shares shares(gestures.size(), std::vector<Mistaken>(gestures.size()));

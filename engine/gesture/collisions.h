@@ -1,11 +1,12 @@
 // gesture/collisions.h: finds gestures that would be mistaken for one another, already when they are
 // recorded.
 //
-// Variations of each gesture (variations.h) are recognised among all gestures. Two gestures collide if too
-// many strokes of one would be mistaken for the other: more than one in fifty is accepted as the other, or
-// more than one in twenty is nearer to the other than to its own. The second case covers gestures that are
-// copies of each other: a recogniser is then sure of neither and accepts few strokes of both. The second
-// measure also varies less, since it does not depend on the strokes that set the thresholds.
+// Variations of each gesture (synthetic strokes, variations.h) are recognised among all gestures. Two
+// gestures collide if too many strokes of one would be mistaken for the other: more than one in fifty is
+// accepted as the other, or more than one in twenty is nearer to the other than to its own, accepted or not.
+// The second case covers gestures that are copies of each other: a recogniser is then sure of neither and
+// accepts few strokes of both. The share of the second case also varies less from one set of variations to
+// the next, since it does not depend on the strokes that set the thresholds of acceptance.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -17,15 +18,19 @@
 
 namespace thaum::gesture {
 
-/// Largest share of variations that may be accepted as the other gesture.
+/// Largest share of a gesture's variations (synthetic strokes) that may be accepted as the other gesture.
 inline constexpr double max_taken = 0.02;
-/// Largest share of variations that may be nearer to the other gesture.
+/// Largest share of a gesture's variations (synthetic strokes) that may be nearer to the other gesture than
+/// to their own.
 inline constexpr double max_nearer = 0.05;
 
-/// How often variations of one gesture are taken for another one, as shares of all its variations.
+/// How often variations (synthetic strokes) of one gesture are taken for another one, as shares of all of
+/// them.
 struct Mistaken {
-    double taken{};  ///< share of the variations that are accepted as the other gesture
-    /// Share of the variations that are nearest to the other gesture instead of their own, accepted or not.
+    /// Share of the gesture's variations (synthetic strokes) that are accepted as the other gesture.
+    double taken{};
+    /// Share of the gesture's variations (synthetic strokes) that are nearest to the other gesture instead of
+    /// their own, accepted or not.
     double nearer{};
 
     /// Whether too many variations are accepted as the other gesture (`max_taken`) or are nearer to it
@@ -44,17 +49,17 @@ struct Pair {
 
     /// Whether one of the two gestures is mistaken for the other too often.
     bool collides() const { return a_as_b.often() || b_as_a.often(); }
-    /// Share of the variations of one gesture that are nearer to the other gesture: that of a or that of b,
-    /// whichever is larger.
+    /// Share of the variations (synthetic strokes) of one gesture that are nearer to the other gesture: that
+    /// of a or that of b, whichever is larger.
     double nearer() const { return std::max(a_as_b.nearer, b_as_a.nearer); }
 };
 
-/// A function with which the variations are recognised, so that they are read as in the game. Empty:
-/// Recogniser::recognise.
+/// A function with which variations (synthetic strokes) are recognised, so that they are read as strokes are
+/// in the game. Empty: Recogniser::recognise.
 using ReadStroke = std::function<Recognition(const Recogniser&, Points, RecogniserSpace&)>;
 
-/// All pairs of gestures. Pairs whose strokes are mistaken most often come first, then the pairs with the
-/// smallest separation.
+/// All pairs of gestures. Pairs whose strokes are mistaken most often come first, then those whose gestures
+/// have the smallest distance from each other (Pair::separation).
 Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
                                              const RecogniserSettings& settings = {},
                                              const ReadStroke& read = {});

@@ -25,7 +25,8 @@ constexpr std::size_t max_lines_of_advice = 3;
 
 using Outline = std::array<vec3, compared_points>;
 
-/// Points at equal distances along the stroke; false if the stroke has no two different places.
+/// Puts points at equal distances along the stroke into `out`; returns false if the stroke has no two
+/// different places.
 bool resample(Points stroke, Outline& out) {
     std::vector<double> length(stroke.size());
     for (std::size_t i = 1; i < stroke.size(); ++i) {
@@ -67,9 +68,10 @@ void normalise(Outline& outline) {
     for (vec3& p : outline) p /= std::sqrt(std::max(sum, 1e-30));
 }
 
-/// The best rotation of one outline against another, and how far their points then still are apart.
+/// How the outline of a drawn stroke fits best on that of a gesture: by which turn, from which starting point
+/// and in which direction, and how far their points then still are apart.
 struct Fit {
-    double sum = 1e300;  ///< sum of the squared distances
+    double sum = 1e300;  ///< sum of the squared distances between points of the two outlines
     double angle{};      ///< angle by which the drawn outline is turned against the other (rad)
     std::size_t shift{};
     bool reversed{};
@@ -93,9 +95,9 @@ void try_fit(const Outline& drawn, const Outline& wanted, Fit fit, Fit& best) {
     if (fit.sum < best.sum) best = fit;
 }
 
-/// The best fit over both directions of drawing and, for closed gestures, all starting points. A fit with a
-/// turn beyond a right angle counts only if there is no other, because it mostly is another figure. This does
-/// not hold for gestures that may be turned by any angle.
+/// The best fit of a drawn stroke on a gesture, over both directions of drawing and, for closed gestures, all
+/// starting points. A fit with a turn beyond a right angle counts only if there is no other, because a stroke
+/// turned so far mostly is another gesture. This does not hold for gestures that may be turned by any angle.
 Fit fit_outlines(const Outline& drawn, const Outline& wanted, const GestureOptions& options) {
     Fit best, turned;
     const std::size_t shifts = options.closed ? compared_points - 1 : 1;

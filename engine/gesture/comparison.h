@@ -18,10 +18,11 @@ struct Comparison {
     double scale{};  ///< longer edge of the stroke's bounding box, as a multiple of the gesture's
     double gap{};    ///< distance from the stroke's end to its start (share of the size)
     double tilt{};   ///< angle by which the stroke is turned against the gesture, counterclockwise (rad)
-    /// Root mean square distance of the stroke's points from the gesture's (share of the size).
+    /// Root mean square distance of the stroke's points from those of the gesture (share of the size).
     double deviation{};
-    double worst{};  ///< largest distance of a point from the gesture's (share of the size)
-    /// Place of the gesture from which that point is so far away, relative to the gesture's middle (share of
+    /// Largest distance of a point of the stroke from that of the gesture (share of the size).
+    double worst{};
+    /// Place on the gesture at which this largest distance occurs, relative to the gesture's middle (share of
     /// the size).
     vec3 worst_place{};
     /// true if the stroke is drawn against the gesture's direction and the gesture's direction matters.

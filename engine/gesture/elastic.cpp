@@ -9,8 +9,8 @@ namespace {
 
 constexpr float far = 1e30F;  // a value larger than any sum of costs
 
-/// Lanes (numbers of different templates) that are computed together: as many as fit in a register. Lanes do
-/// not affect one another, so their number does not change the results.
+/// Type that holds the lanes (numbers of different templates) that are computed together: as many as fit in a
+/// register. Lanes do not affect one another, so their number does not change the results.
 #ifdef __AVX__
 using Wide = Floats8;
 using WideBits = Ints8;
@@ -41,9 +41,9 @@ struct EightStrokes {
     Wide at(std::size_t place) const { return load<Wide>(values + place * lanes); }
 };
 
-/// Costs of matching one point to another, lane by lane, times `robustness`. Only the final sum of costs is
-/// divided by it, which saves a multiplication for each pair of points. As it is a power of two, this changes
-/// no bit.
+/// Costs of matching one point of a stroke to one of a template, lane by lane (template by template), times
+/// `robustness`. Only the final sum of costs is divided by it, which saves a multiplication for each pair of
+/// points. As it is a power of two, this changes no bit.
 template <std::size_t channels>
 inline Wide cost_of(const std::array<Wide, channels>& p, const float* q) {
     Wide squares = p[0] - load<Wide>(q);
@@ -58,8 +58,8 @@ inline Wide cost_of(const std::array<Wide, channels>& p, const float* q) {
 template <std::size_t points, std::size_t channels, class Strokes>
 void warp(Strokes stroke, const float* eight, float* result) {
     const Wide infinite = far + Wide{};
-    // One row of the warping table: least sum of costs up to each point of the template. The sums for the
-    // next point of the stroke replace them.
+    // One row of the table of dynamic time warping: least sum of costs up to each point of the template. The
+    // sums for the next point of the stroke replace them.
     std::array<Wide, points + 2> row;
     row.fill(infinite);
     row[0] = Wide{};
@@ -97,7 +97,8 @@ std::array<float, lanes> distances_of(Strokes stroke, const EightOf<points>& eig
 }
 
 #ifdef __AVX__
-/// Four values of each of eight templates. Row k has those of template k and then those of template k + 4.
+/// Four values of each of eight templates. Element k has those of template k and then those of template k +
+/// 4.
 using FourOfEight = std::array<Floats8, 4>;
 
 inline FourOfEight load_four(const std::array<const float*, lanes>& values, std::size_t place) {
@@ -124,7 +125,8 @@ inline void transpose_four(const std::array<const float*, lanes>& values, std::s
 }
 #else
 /// Transposes four values of each template, from index `place` on, so that the values of all templates are
-/// adjacent. The version above, for eight lanes, is much slower without registers of that width.
+/// adjacent. This version is for processors without registers of eight floats, on which the other one would
+/// be much slower.
 inline void transpose_four(const std::array<const float*, lanes>& values, std::size_t place, float* to) {
     for (std::size_t k = 0; k < lanes; k += 4, to += 4) {
         const auto a = load<Floats4>(values[k] + place), b = load<Floats4>(values[k + 1] + place),

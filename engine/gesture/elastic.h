@@ -22,10 +22,10 @@ template <std::size_t points>
 struct alignas(32) EightOf {
     std::array<float, points * max_channels * lanes> values{};
 };
-/// Eight templates in the coarse form of Shape, in which templates are compared first. The best of them are
+/// Eight templates in the coarse form (24 points) in which all are compared first. The best of them are
 /// compared again as EightFineShapes.
 using EightShapes = EightOf<shape_points>;
-/// Eight templates as FineShape.
+/// Eight templates in the fine form (32 points), for the comparison of the best.
 using EightFineShapes = EightOf<fine_points>;
 
 /// Puts the values of eight templates side by side, one template in each lane. A template may be given
@@ -36,7 +36,7 @@ void set_lanes(EightFineShapes& eight, std::size_t channels, const std::array<co
 /// Distances of a stroke to eight templates with the same number of channels, each from 0 to 1/2 if no point
 /// is matched twice. The same template gives the same bits in whichever lane it is.
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight);
-/// Distances of a stroke to eight templates, as above, in the fine shape.
+/// Distances of a stroke to eight templates, all in the fine form of a shape (32 points).
 std::array<float, lanes> elastic_distances(const FineShape& stroke, const EightFineShapes& eight,
                                            std::size_t channels);
 

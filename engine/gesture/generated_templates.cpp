@@ -23,8 +23,8 @@ GestureOptions options_of(Figure figure) {
     return o;
 }
 
-/// Style of a user who draws slowly and well. There are three such users, who differ in proportions and
-/// corners.
+/// Style of one of the three users, drawing slowly and well, from whom the shipped templates come. They
+/// differ in proportions and in how round their corners are.
 UserStyle careful_style(std::size_t number) {
     static constexpr std::array<double, strokes_of_each> aspects{1, 0.93, 1.08}, corners{0.15, 0.25, 0.2},
         leans{0, 0.1, -0.1};

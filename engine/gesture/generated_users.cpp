@@ -15,11 +15,12 @@ constexpr double mouse_step = 1e-4;  // distance of the hand for each count of a
 constexpr double curve_overlap = 0.55;
 constexpr std::array<std::string_view, figures> all_figures{"circle", "v", "s", "star"};
 
-/// One arc of the path along which a generated user draws a figure.
+/// One arc of the path along which a generated user draws a figure (circle, V, S or star).
 struct Leg {
-    vec3 to{};         ///< node at the end of the leg
-    double turn{};     ///< turn of the heading along the arc (rad)
-    double overlap{};  ///< overlap with the next leg (share of the duration)
+    vec3 to{};      ///< place at which the arc ends
+    double turn{};  ///< turn of the heading along the arc (rad)
+    /// Overlap in time with the movement along the next arc (share of the duration).
+    double overlap{};
 };
 
 struct Path {
@@ -32,8 +33,8 @@ double minimum_jerk(double u) {
     return u * u * u * (10 + u * (6 * u - 15));
 }
 
-/// Displacement after a share `u` of an arc in the plane of x and y. The arc has this chord, and its heading
-/// turns by `turn` (rad).
+/// Displacement after a share `u` of an arc in the plane of x and y. `chord` leads from start to end of the
+/// arc, and the heading along it turns by `turn` (rad).
 vec3 along_arc(vec3 chord, double turn, double u) {
     if (std::abs(turn) < 1e-6) return u * chord;
     // The arc turns by `turn` in all and its chord has the mean heading. So the part up to u has a chord of
@@ -68,7 +69,7 @@ Path s_path() {
              {{-0.3, -0.36, 0}, -1.5, 0}}};
 }
 
-/// A pentagram: every second corner of a pentagon, the first at the lower left.
+/// Path of a pentagram: every second corner of a pentagon, the first at the lower left.
 Path star_path(const UserStyle& style) {
     const double way = style.mirrored_star ? -1 : 1;
     const auto corner = [&](std::size_t i) {
@@ -95,7 +96,8 @@ vec3 random_offset(Random& random, double deviation) {
     return deviation * vec3(x, normal(random), 0);
 }
 
-/// Moves each node by the user's own offset and by jitter, and bends each leg a little.
+/// Moves each node (end of an arc) of a path by the user's own offset and by jitter, and bends each arc a
+/// little.
 void disturb(Path& path, const UserStyle& style, Random& random) {
     path.start += style.idea[0] + random_offset(random, style.jitter);
     for (std::size_t i = 0; i < path.legs.size(); ++i) {
@@ -106,8 +108,8 @@ void disturb(Path& path, const UserStyle& style, Random& random) {
     }
 }
 
-/// A movement of the hand along one leg of the path. Its times have an arbitrary unit, which the pace of the
-/// stroke turns into seconds.
+/// A movement of the hand along one arc of the path. Its times have an arbitrary unit; the pace of the stroke
+/// turns them into seconds.
 struct Movement {
     double begin{}, seconds{};
     vec3 chord{};
@@ -143,7 +145,7 @@ vec3 place_at(std::span<const Movement> movements, double time) {
     return at;
 }
 
-/// Converts a place of a figure of height 1 to a position of the hand (m).
+/// Converts a place on a figure that is drawn 1 high to a position of the user's hand (m).
 class Frame {
 public:
     Frame(const UserStyle& style, Random& random)
@@ -212,7 +214,8 @@ struct Tremor {
 
 double rounded(double value, double step) { return std::floor(value / step + 0.5) * step; }
 
-/// Adds the force of the viscous field, smoothed over some points as by a device, and noise.
+/// Adds the force with which a viscous fluid would resist the hand, smoothed over some points as by a device,
+/// and noise.
 void add_force(std::vector<StrokePoint>& points, Random& random) {
     constexpr std::size_t reach = 2;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -307,7 +310,7 @@ Path eight(Random& random) {
     return path;
 }
 
-/// The first legs of a figure, as if the user had given up half-way.
+/// The first arcs of a figure's path, as if the user had given up half-way.
 Path part_of_figure(const UserStyle& style, Random& random) {
     auto path = path_of(static_cast<Figure>(random.below(figures)), style, random);
     path.legs.resize((path.legs.size() + 1) / 2);

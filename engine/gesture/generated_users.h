@@ -6,9 +6,9 @@
 // chosen so that its mean becomes what the user intends.
 //
 // A user keeps a style: where figures begin and which way they turn, their proportions, tilt, corners,
-// tremor, pace and device. Each stroke differs from the style by jitter. None of this is shared with
-// variations.h, by which a recogniser sets its thresholds, so a test with these users does not check a
-// recogniser with the model by which it was tuned.
+// tremor, pace and device. Each stroke differs from the style by jitter. This model of users shares nothing
+// with that of variations.h, by which a recogniser sets its thresholds. So a test with these users does not
+// check a recogniser with the model by which it was tuned.
 //
 // The same seed gives the same strokes on every processor.
 #pragma once
@@ -21,7 +21,7 @@
 
 namespace thaum::gesture {
 
-/// Viscosity that resists the hand while a stroke is drawn (N s/m).
+/// Viscosity of the imagined fluid that resists the hand while a stroke is drawn (N s/m).
 inline constexpr double stroke_viscosity = 3.5;
 /// Mean force below which a stroke is gentle, and above which it is harsh (N).
 inline constexpr double gentle_force = 1.0, harsh_force = 1.5;
@@ -48,17 +48,18 @@ struct UserStyle {
     /// Overlap in time of two movements at a corner, which rounds it (share of a movement).
     double corner_overlap{};
     double tremor{};  ///< amplitude of the tremor (m)
-    /// Standard deviation of a node's position from stroke to stroke (share of the size).
+    /// Standard deviation of the position of a node (end of an arc of the figure) from stroke to stroke
+    /// (share of the size).
     double jitter{};
     double circle_start{};  ///< angle at which a circle begins (rad)
     double gap{};  ///< angle by which a circle is drawn beyond its start; negative: it is left open (rad)
     double gentle{}, harsh{};  ///< mean force of gentle and of harsh strokes (N)
     std::size_t star_start{};  ///< corner at which a star begins
     bool mirrored_circle{};    ///< true if circles go clockwise
-    bool mirrored_star{};      ///< true if stars begin with a stroke towards the left
+    bool mirrored_star{};      ///< true if stars begin with a line towards the left
     bool flat{};               ///< true for a mouse: no depth, steps of 0.1 mm
-    /// Offsets of nodes, the same in all strokes of the user: the user's own idea of a figure (share of the
-    /// size).
+    /// Offsets of the nodes (ends of the arcs of a figure), the same in all strokes of the user: the user's
+    /// own idea of a figure (share of the size).
     std::array<vec3, max_nodes> idea{};
 };
 
@@ -71,22 +72,24 @@ enum class Effort : std::uint8_t { gentle, normal, harsh };
 /// Draws a stroke of a figure in the style of a user.
 std::vector<StrokePoint> draw_figure(Figure figure, const UserStyle& style, Effort effort, Random& random);
 
-/// A stroke that is no figure: a tangle, a zigzag, a line, a spiral, an eight, or a part of a figure.
+/// A stroke that is none of the figures (circle, V, S, star): a tangle, a zigzag, a line, a spiral, an eight,
+/// or only a part of a figure.
 std::vector<StrokePoint> draw_scribble(const UserStyle& style, Random& random);
 
-/// The gestures that the game ships: three strokes of each figure by careful users.
+/// The gestures that the game ships, with their recorded strokes: three of each figure, by careful users.
 std::vector<Gesture> generated_templates(std::uint64_t seed);
 
-/// Size and seed of a generated set.
+/// How many users and strokes a generated set has, and the seed of its random numbers.
 struct GeneratedSetSettings {
     std::size_t users = 20;
     std::size_t samples = 3;  ///< number of gentle strokes, and of harsh ones, of each figure by each user
     std::uint64_t seed = 1;
 };
 
-/// Strokes of users, with samples named "gentle 1", "harsh 1" and so on. None of these users drew a template.
+/// Strokes of generated users, with samples named "gentle 1", "harsh 1" and so on. None of these users drew a
+/// template.
 std::vector<Stroke> generated_strokes(const GeneratedSetSettings& settings);
-/// As many scribbles as `generated_strokes` has strokes, named "scribble".
+/// Strokes that mean nothing, named "scribble", as many as `generated_strokes` gives strokes.
 std::vector<Stroke> generated_scribbles(const GeneratedSetSettings& settings);
 
 }  // namespace thaum::gesture

@@ -11,12 +11,13 @@
 namespace thaum::gesture {
 
 inline constexpr std::size_t max_gestures = 256;
-/// Largest number of templates of all gestures together, including copies that are drawn backwards.
+/// Largest number of templates (recorded strokes) of all gestures together, including copies that are drawn
+/// backwards.
 inline constexpr std::size_t max_templates = 1024;
 /// Largest number of points of one recorded stroke.
 inline constexpr std::size_t max_template_points = 100'000;
 
-/// How strokes of one gesture may differ from its templates.
+/// How strokes of one gesture may differ from its templates, the recorded strokes.
 struct GestureOptions {
     /// True if the stroke must be drawn in the recorded direction. False if it may also be drawn backwards.
     bool direction_sensitive = true;
@@ -33,7 +34,7 @@ struct GestureOptions {
     bool operator==(const GestureOptions&) const = default;
 };
 
-/// A gesture with its templates.
+/// A gesture with the strokes that were recorded for it, its templates.
 struct Gesture {
     std::string name;
     GestureOptions options;

@@ -16,35 +16,40 @@ namespace {
 
 constexpr std::size_t prefix_starts = 8;              // points at which a closed stroke may begin
 constexpr std::size_t verified_prefixes = 2 * lanes;  // beginnings that are compared elastically
-/// Smallest elastic distance that counts; smaller ones are raised to it. Strokes of another hand come no
-/// nearer, so the calibration has no samples below it.
+/// Smallest elastic distance that counts; smaller ones are raised to it. Strokes of another hand than the one
+/// that was recorded come no nearer, so the calibration has no samples below it.
 constexpr float min_counted = 0.02F;
 constexpr float no_match = 1, very_far_off = 1e30F;
 /// Weight of lengths if the recorded strokes do not tell how well lengths agree: the distance added if one
 /// length is e times the other. Half or twice the length then adds 0.03, about as much as two strokes of one
 /// hand differ. Durations add nothing in this case.
 constexpr float length_weight = 0.06F;
-/// Largest distance that a length or a duration adds. Lengths that differ fourfold or more already belong to
-/// different gestures.
+/// Largest distance that a difference of lengths, or of durations, adds. Lengths that differ fourfold or more
+/// already belong to different gestures.
 constexpr float max_for_difference = 0.12F;
-/// Constants of the weight of lengths, and likewise of durations. If the logarithms of the lengths of the
-/// strokes recorded for one gesture have the variance v, the weight is agreement_weight / (v + min_variance).
+/// Constants of the weight with which a difference of lengths (or durations) enters the distance. If the
+/// logarithms of the lengths of the strokes recorded for one gesture have the variance v, the weight is
+/// agreement_weight / (v + min_variance).
 constexpr double agreement_weight = 0.002, min_variance = 0.003;
-/// The weight that holds without any recorded strokes counts as much as recorded strokes with this number of
-/// degrees of freedom.
+/// How far the weight of lengths (or durations) that holds without recorded strokes is trusted: as if it came
+/// from recorded strokes with this number of degrees of freedom.
 constexpr double prior_freedom = 4;
-/// A recorded stroke counts e times less than the nearest one of its gesture if it is farther by this
-/// distance.
+/// A recorded stroke counts e times less than the nearest one of its gesture if it is farther from the stroke
+/// so far by this distance.
 constexpr float hand_scatter = 0.03F;
 /// Smallest duration that counts (s); shorter ones, and that of a stroke without times, are raised to it.
 constexpr float min_seconds = 0.001F;
-/// Ratio of the mean squared distance of points, by which the dot product chooses, to the elastic distance.
+/// Mean squared distance of the points of two shapes, by which beginnings are chosen, divided by their
+/// elastic distance. It brings what lengths and durations add to an elastic distance to the scale of the
+/// former.
 constexpr float squares_to_elastic = 4;
 constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
 constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
-/// Largest share of the recorded stroke's length that counts as drawn: a longer stroke is no better evidence.
+/// Largest share of a recorded stroke's length that counts as drawn. A stroke that is longer than the
+/// recorded one is no better evidence.
 constexpr float max_share = 1;
-/// Largest logarithm of the ratio of two gestures' distances that counts against the farther one.
+/// Largest logarithm of the ratio of a stroke's distances from two gestures that counts against the farther
+/// gesture.
 constexpr double max_margin_against = 2;
 
 float log_length_of(const Shape& shape) {
@@ -73,7 +78,7 @@ public:
         sum_ += value;
         squares_ += value * value;
     }
-    /// Ends a gesture: the values added since the last call belong to it.
+    /// Ends a gesture: the values added since the last call are those of its strokes.
     void end_gesture() {
         if (count_ > 1) {
             deviations_ += std::max(squares_ - sum_ * sum_ / count_, 0.0);
@@ -82,7 +87,8 @@ public:
         count_ = sum_ = squares_ = 0;
     }
     double variance() const { return deviations_ / std::max(freedom_, 1.0); }
-    /// Weight of a difference of logarithms in a distance. `prior`: the weight without any recorded strokes.
+    /// Factor that turns a difference of logarithms of lengths (or durations) into a distance. `prior`: the
+    /// factor without any recorded strokes.
     float weight(float prior) const {
         const double known = freedom_ * agreement_weight / (variance() + min_variance);
         const double sum = known + prior_freedom * static_cast<double>(prior);
@@ -189,8 +195,8 @@ PrefixReader::Weights PrefixReader::weights_of_agreement() const {
     return {lengths.weight(length_weight), has_times ? seconds.weight(0) : 0};
 }
 
-/// Finds the nearest beginning of each recorded stroke by the dot product, and sorts the nearest of them to
-/// the front. Returns how many are sorted, which are to be compared elastically.
+/// Finds the nearest beginning of each recorded stroke by the dot product of shapes, and sorts the nearest of
+/// these beginnings to the front. Returns how many are sorted; these are to be compared elastically.
 std::size_t PrefixReader::choose(const Shape& shape, PrefixSpace& space) const {
     const float length = log_length_of(shape), seconds = log_seconds_of(shape);
     std::size_t count = 0;
@@ -221,7 +227,8 @@ std::size_t PrefixReader::choose(const Shape& shape, PrefixSpace& space) const {
     return static_cast<std::size_t>(best);
 }
 
-/// Compares up to eight candidates, from the index `first` to before `end`, elastically.
+/// Compares up to eight beginnings of recorded strokes with the shape elastically: those of space.candidates
+/// from the index `first` to before `end`.
 void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end, PrefixSpace& space) const {
     std::array<const float*, lanes> values{};
     const std::size_t count = std::min(lanes, end - first);
@@ -267,7 +274,8 @@ bool PrefixReader::are_twins(std::uint32_t a, std::uint32_t b) const {
     return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
 }
 
-/// Probability of a gesture against its twins by the mean force so far, 0 to 1.
+/// Probability, 0 to 1, that a gesture is meant and none of its twins (gestures of its shape with another
+/// force), by the mean force of the stroke so far.
 double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& space) const {
     constexpr float tiny = 1e-30F;  // stands for a force of 0, whose logarithm is not finite
     const auto oddness = [&](std::uint32_t g) {
@@ -292,7 +300,7 @@ double PrefixReader::share_by_distance(std::uint32_t gesture, float distance,
         if (g == gesture || !(space.nearest[g].distance < no_match) || are_twins(gesture, g)) continue;
         const auto ratio = static_cast<double>(distance / std::max(space.nearest[g].distance, min_counted));
         const double square = ratio * ratio;
-        sum += square * square * ratio;  // the power was chosen on the letters and the game's spells
+        sum += square * square * ratio;  // the power 5 was chosen on the letters and the game's spells
     }
     return 1 / sum;
 }
@@ -360,7 +368,7 @@ std::uint32_t PrefixReader::tell(Points stroke, std::uint32_t told, PrefixSpace&
     return likelihood_of(told, space).probability >= likely_still ? told : LikelyGesture::none;
 }
 
-/// Takes over which gestures are twins from the recogniser of whole strokes.
+/// Takes over from the recogniser of whole strokes which gestures are twins, that is, differ in force alone.
 void PrefixReader::take_twins(const Recogniser& recogniser) {
     twins_.resize(recogniser.gestures());
     for (std::uint32_t g = 0; g < twins_.size(); ++g) {

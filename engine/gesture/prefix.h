@@ -5,13 +5,13 @@
 // of these beginnings: by the dot product of their shapes first, then elastically with the nearest ones
 // (elastic.h). It is unknown how much of the stroke is still to come. But people draw a gesture at about the
 // same size and pace each time. So the distance of a beginning grows with the differences of its length and
-// its duration from those of the stroke so far. The weights of these differences depend on how well the
-// recorded strokes of a gesture agree. With one recorded stroke of each gesture, that is unknown. Durations
-// do not count at all where the force only follows the speed: there a hand is slow or fast on purpose, for a
-// gentle or a harsh stroke.
+// its duration from those of the stroke so far. How much these differences weigh depends on how well the
+// recorded strokes of a gesture agree in length and duration. With one recorded stroke of each gesture, that
+// is unknown, and durations do not count. Nor do durations count where the force only follows the speed:
+// there a hand is slow or fast on purpose, for a gentle or a harsh stroke.
 //
-// Where several strokes of a gesture were recorded, the distances to all of them
-// count, and the nearest counts most.
+// Where several strokes of a gesture were recorded, the distances to all of them count, and the nearest
+// counts most.
 //
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is
 // not sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
@@ -42,7 +42,8 @@ namespace thaum::gesture {
 
 class Recogniser;
 
-/// Shares of a recorded stroke's length at which it is cut.
+/// Shares of a recorded stroke's length at which it is cut; the parts from its start to each cut are compared
+/// with a stroke that is still being drawn.
 inline constexpr std::array<double, lanes> prefix_shares{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1};
 
 /// The first points of a stroke, up to a share of its length (0 to 1). At least one, if there is one.
@@ -57,7 +58,8 @@ struct LikelyGesture {
     static constexpr std::uint32_t none = 0xffffffff;
 
     std::uint32_t gesture = none;  ///< the likeliest; none for a stroke without a shape
-    Evidence evidence{};           ///< Evidence::usual holds the logarithm of the share drawn so far instead
+    /// Like that of a whole stroke, but `usual` holds the logarithm of the share of the gesture drawn so far.
+    Evidence evidence{};
     /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the
     /// first beginning: too early to say.
     double probability{};
@@ -76,7 +78,8 @@ struct PrefixSettings {
 struct PrefixSpace {
     /// Beginning of a recorded stroke that is to be compared elastically.
     struct Candidate {
-        float distance{};       ///< distance by the dot product, with those for length and duration
+        /// Distance from the stroke so far by the dot product, plus what lengths and durations add.
+        float distance{};
         std::uint32_t place{};  ///< index of the recorded stroke in PrefixReader's beginnings
         std::uint32_t lane{};   ///< index in prefix_shares at which the stroke is cut
     };
@@ -85,23 +88,26 @@ struct PrefixSpace {
     EightShapes eight{};
     std::array<std::array<float, shape_points * max_channels>, lanes> chosen{};
     std::vector<Candidate> candidates{};
-    /// The nearest beginning of one gesture.
+    /// Of one gesture, the beginning of a recorded stroke that is nearest to the stroke so far.
     struct Nearest {
         float distance{};
-        /// Natural logarithm of the share of the recorded stroke's length that has been drawn.
+        /// Natural logarithm of the share of the recorded stroke's length that the stroke so far has reached.
         float log_share{};
         float force{};  ///< mean force of that beginning (unit of the strokes)
     };
-    std::vector<Nearest> nearest{};        ///< nearest beginning of each gesture
-    std::vector<float> stroke_distance{};  ///< distance of the nearest beginning of each recorded stroke
-    float force{};                         ///< mean force of the stroke so far (unit of the strokes)
+    /// For each gesture, the beginning of a recorded stroke that is nearest to the stroke so far.
+    std::vector<Nearest> nearest{};
+    /// For each recorded stroke, the distance of its nearest beginning.
+    std::vector<float> stroke_distance{};
+    float force{};  ///< mean force of the stroke so far (unit of the strokes)
 };
 
 /// Compares unfinished strokes with beginnings of the templates.
 class PrefixReader {
 public:
-    /// Cuts the strokes. The error names the gesture and the fault: no stroke, a stroke without a shape, or
-    /// too many. Of gestures with an error to Recogniser::make, no reader can be made either.
+    /// Cuts the recorded strokes into beginnings. The error names the gesture and the fault: no stroke, a
+    /// stroke without a shape, or too many strokes. Of gestures with an error to Recogniser::make, no reader
+    /// can be made either.
     static Expected<PrefixReader> make(std::span<const Gesture> gestures,
                                        const PrefixSettings& settings = {});
 
@@ -109,14 +115,17 @@ public:
     std::size_t gestures() const { return names_.size(); }
     /// Name of a gesture.
     const std::string& name(std::uint32_t gesture) const { return names_[gesture]; }
-    /// Allocates nothing after the first call with the same space.
+    /// Finds the likeliest gesture of a stroke that may be unfinished. Allocates nothing after the first call
+    /// with the same space.
     LikelyGesture read(Points stroke, PrefixSpace& space) const;
-    /// The gesture to tell the player of the stroke so far, or LikelyGesture::none. `told` is the answer for
-    /// a shorter part of the same stroke, or none. Allocates as `read` does.
+    /// The gesture that the player is told the stroke so far will be, or LikelyGesture::none. `told` is the
+    /// answer for a shorter part of the same stroke, or none. Allocates as `read` does.
     std::uint32_t tell(Points stroke, std::uint32_t told, PrefixSpace& space) const;
 
 private:
-    /// One recorded stroke from one start and in one direction, cut at eight shares.
+    /// Eight beginnings of one recorded stroke, up to 20 % of its length, 30 % and so on to all of it
+    /// (prefix_shares). A gesture may be drawn backwards, or from other points if it is a closed curve. Then
+    /// each stroke has one such record for each direction and starting point.
     struct Beginnings {
         std::uint32_t gesture{};
         std::uint32_t stroke{};  ///< number of the recorded stroke, among those of all gestures
@@ -128,7 +137,7 @@ private:
         std::array<float, lanes> log_seconds{};  ///< natural logarithm of the duration (s)
         std::array<float, lanes> force{};        ///< mean force (unit of the strokes)
     };
-    /// Distances added if the natural logarithms of two lengths, or of two durations, differ by 1.
+    /// Distances that are added if the natural logarithms of two lengths (or of two durations) differ by 1.
     struct Weights {
         float length{}, seconds{};
     };

@@ -10,11 +10,12 @@ namespace {
 
 constexpr float lowest_score = -1e30F;
 constexpr float farthest_possible = 1e9F;  ///< distance of a gesture if none of its templates was compared
-/// Weight of the second nearest template of a gesture, as a share of that of the nearest.
+/// Weight of the second nearest recorded stroke in the distance of a gesture, as a share of that of the
+/// nearest.
 constexpr float second_weight = 0.5F;
-// Twins are told apart by odds. The ratio of their distances enters the odds with this power. A common part
-// is added to both distances first: the ratio of two small distances is a matter of chance, and does not tell
-// which gesture was meant.
+// Twins (gestures of one shape with different forces) are told apart by odds. The ratio of the stroke's
+// distances from them enters the odds with this power. The same number is added to both distances first: the
+// ratio of two small distances is a matter of chance, and does not tell which gesture was meant.
 constexpr double twin_distance_power = 4;
 constexpr float twin_common_distance = 0.1F;
 
@@ -69,7 +70,8 @@ float dot(const float* a, const float* b, std::size_t count) {
 
 static_assert(shape_points * planar_channels % 8 == 0 && shape_points * solid_channels % 8 == 0);
 
-/// Pairs of channels, x and y of a vector, that turn with the stroke: the first channel of each pair.
+/// The pairs of channels (numbers of each point of a shape) that are x and y of a vector, which turns with
+/// the stroke: the first channel of each pair.
 std::span<const std::size_t> turning_pairs(std::size_t channels) {
     static constexpr std::array<std::size_t, 2> planar{0, 2};
     static constexpr std::array<std::size_t, 3> solid{0, 3, 6};
@@ -109,8 +111,8 @@ void turn(float* values, std::size_t points, std::size_t channels, float cosine,
     }
 }
 
-/// For each of the eight scores from `first` on, the number of scores that are better:
-/// larger, or as large and before it.
+/// For each of the eight scores (dot products with templates) from `first` on, the number of scores that are
+/// better: larger, or as large and before it.
 Ints8 ranks_of(std::size_t first, const float* scores, std::size_t count) {
     const auto own = load<Floats8>(scores + first);
     Ints8 better{};  // number of better scores, negative: a true comparison is minus one
@@ -165,10 +167,11 @@ Recogniser::Survivor Recogniser::closed_score(const Shape& shape, const Template
     return best;
 }
 
-/// Dot products with the first `count` compared templates.
+/// Computes the dot products of a stroke's shape with the first `count` templates in the list of those to
+/// compare.
 void Recogniser::score(const Shape& shape, std::size_t count, RecogniserSpace& space) const {
     std::array<const float*, 4>
-        plain;  // values of templates without variations, which are multiplied four at a time
+        plain;  // values of templates that need neither turn nor other start: four are multiplied at a time
     std::array<std::size_t, 4> places;
     std::size_t waiting = 0;
     const auto multiply = [&] {
@@ -200,7 +203,7 @@ std::size_t Recogniser::verified_at_most() const {
     return lanes * std::clamp<std::size_t>(groups, 1, 8);
 }
 
-/// Keeps the templates with the largest dot products, best first.
+/// Chooses the templates to compare elastically: those with the `most` largest dot products, best first.
 void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t most,
                         RecogniserSpace& space) const {
     auto& list = space.compared_;
@@ -220,8 +223,9 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
     keep_best(count, most, space);
 }
 
-/// Puts the best `most` of the compared templates in the list of survivors, best first. The rank of each is
-/// found by comparison with all others, without a branch that the processor might mispredict.
+/// Puts the `most` templates with the largest dot products in the list of survivors, which are compared
+/// elastically, best first. The rank of each is found by comparison with all others, without a branch that
+/// the processor might mispredict.
 void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace& space) {
     const std::size_t rounded = (count + lanes - 1) / lanes * lanes;
     std::fill(space.scores_.begin() + static_cast<std::ptrdiff_t>(count),
@@ -230,14 +234,15 @@ void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace&
         const Ints8 ranks = ranks_of(k, space.scores_.data(), count);
         for (std::size_t lane = 0; lane < std::min(lanes, count - k); ++lane) {
             const auto rank = static_cast<std::size_t>(ranks[lane]);
-            space.survivors_[std::min(rank, most)] = space.compared_[k + lane];  // the last place is a bin
+            // Templates of rank `most` or worse all go to the one place after the best, which nobody reads.
+            space.survivors_[std::min(rank, most)] = space.compared_[k + lane];
         }
     }
     space.survivor_count_ = std::min(count, most);
 }
 
-/// Values of a template as the elastic distance needs them: from its chosen
-/// start, and turned towards the stroke.
+/// Values of a template's shape as the elastic distance needs them: from the start that fits the stroke best,
+/// and turned towards the stroke.
 const float* Recogniser::lane_values(const Survivor& survivor, std::size_t lane,
                                      RecogniserSpace& space) const {
     const auto& t = templates_[survivor.place];
@@ -259,7 +264,8 @@ FineKind Recogniser::fine_template(const Survivor& survivor, FineShape& shape) c
     return {{t.channels == solid_channels, counts_force_}, !t.turns};
 }
 
-/// Elastic distances of the survivors; keeps the two nearest templates of each gesture.
+/// Computes the elastic distances of a stroke from the templates that the dot product chose (survivors);
+/// keeps the two nearest of each gesture.
 void Recogniser::verify(const Shape& shape, RecogniserSpace& space) const {
     for (std::size_t first = 0; first < space.survivor_count_; first += lanes) {
         const std::size_t count = std::min(lanes, space.survivor_count_ - first);
@@ -273,7 +279,8 @@ void Recogniser::verify(const Shape& shape, RecogniserSpace& space) const {
     }
 }
 
-/// Keeps the distances of the two nearest recorded strokes of the template's gesture.
+/// Takes a stroke's distance from a template into account: keeps the distances of the two nearest recorded
+/// strokes of the template's gesture.
 void Recogniser::note(float distance, const Template& t, RecogniserSpace& space) const {
     auto& near = space.nearest_[t.gesture];
     if (near.count == 0) {
@@ -288,10 +295,12 @@ void Recogniser::note(float distance, const Template& t, RecogniserSpace& space)
     }
 }
 
-/// Distance of a gesture from its nearest templates.
+/// Distance of a stroke from a gesture: the mean of those from its two nearest recorded strokes, of which the
+/// nearest has more weight.
 float Recogniser::distance_of(std::uint32_t gesture, float farthest, const RecogniserSpace& space) const {
     const auto& near = space.nearest_[gesture];
-    // If a gesture has several recorded strokes and only one was compared, the others count as `farthest`.
+    // If only one of several recorded strokes was compared, the others count as being at the largest distance
+    // that was found for any gesture, `farthest`.
     const float unknown = strokes_of_[gesture] > 1 ? farthest : near.first;
     const float second = near.count > 1 ? near.second : unknown;
     const float mean = (near.first + second_weight * second) / (1 + second_weight);
@@ -312,8 +321,8 @@ std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force
     return best;
 }
 
-/// Chooses between the nearest gesture and its twins, and then the runner-up among all other gestures.
-/// Returns the probability of the choice among the twins, 0 to 1.
+/// Chooses between the nearest gesture and its twins (gestures of its shape with another force), and then the
+/// runner-up among all other gestures. Returns the probability of the choice among the twins, 0 to 1.
 double Recogniser::by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const {
     const auto oddness = [&](std::uint32_t g) {
         const auto ratio = static_cast<double>((distance_of(g, farthest, space) + twin_common_distance) /
@@ -354,7 +363,7 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     r.distance = r.runner_up_distance = farthest_possible;
     for (std::uint32_t g = 0; g < gestures(); ++g) {
         const float d = distance_of(g, farthest, space);
-        // Without branches, which the processor would often mispredict.
+        // Decided without branches, which the processor would often mispredict.
         const bool best = d < r.distance, next = !best && d < r.runner_up_distance;
         r.runner_up = best ? r.gesture : next ? g : r.runner_up;
         r.runner_up_distance = best ? r.distance : next ? d : r.runner_up_distance;

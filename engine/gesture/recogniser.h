@@ -16,8 +16,8 @@
 // the farther all other gestures are, the less alike their strokes need be. Between twins the mean force of
 // the stroke decides, together with the small difference of the distances.
 //
-// Confidence: see calibration.h. Everything is fixed at construction. `recognise` allocates nothing, and
-// equal input gives equal bits in every thread and on every processor.
+// Confidence: calibration.h tells how distances become a probability. Everything is fixed at construction.
+// `recognise` allocates nothing, and equal input gives equal bits in every thread and on every processor.
 #pragma once
 #include <optional>
 #include <span>
@@ -41,7 +41,7 @@ struct Recognition {
     std::uint32_t runner_up = none;  ///< nearest gesture of another shape; none if no other was compared
     float distance{};                ///< elastic distance of the nearest gesture
     float runner_up_distance{};
-    Evidence evidence{};   ///< evidence for a calibration with labelled strokes
+    Evidence evidence{};   ///< the distances in the form to which a calibration is fitted
     double probability{};  ///< probability that the stroke, drawn on purpose, was meant as `gesture`, 0 to 1
     /// The same probability under the assumption that half of all strokes mean nothing. A stroke is accepted
     /// by this probability.
@@ -49,14 +49,17 @@ struct Recognition {
     bool accepted{};  ///< false: the stroke counts as none of the gestures
     ForceClass force = ForceClass::normal;
     double mean_force{};  ///< mean force along the path (unit of the device)
-    double start{};       ///< time of the first point that counts, after the stroke's first point (s)
-    double end{};         ///< time of the last point that counts, after the stroke's first point (s)
+    /// Time of the first point that is not left out as a rest, after the stroke's first point (s).
+    double start{};
+    /// Time of the last point that is not left out as a rest, after the stroke's first point (s).
+    double end{};
 };
 
 /// Settings of a Recogniser.
 struct RecogniserSettings {
     Channels channels{};
-    /// True to compare every template elastically. Slower, for tests of the choice by dot product.
+    /// True to compare every template elastically, not only those that the dot product chooses. This is
+    /// slower, and serves to test that choice.
     bool exhaustive = false;
     double min_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
     std::uint64_t seed = 1;        ///< seed of the synthetic strokes that set the thresholds
@@ -83,11 +86,11 @@ private:
         float score{};               ///< dot product with the stroke
         std::uint32_t place{};       ///< index of the template
         std::uint32_t shift{};       ///< point at which a closed template starts
-        float cosine = 1, sine = 0;  ///< of the angle by which the template is turned
+        float cosine = 1, sine = 0;  ///< cosine and sine of the angle by which the template is turned
     };
     struct Nearest {
         float first{}, second{};  ///< least distances to two different recorded strokes
-        std::uint32_t stroke{};   ///< recorded stroke of `first`
+        std::uint32_t stroke{};   ///< number of the recorded stroke at the distance `first`
         std::uint32_t count{};    ///< number of recorded strokes compared: 0, 1, or 2 for two and more
     };
     ShapeSpace points_;
@@ -100,11 +103,11 @@ private:
     std::size_t survivor_count_{};
 };
 
-/// Recognises strokes as one of the gestures whose templates it has.
+/// Recognises strokes as one of several gestures by comparing them with recorded strokes, its templates.
 class Recogniser {
 public:
     /// Prepares the templates and calibrates with synthetic strokes. The error names the gesture and the
-    /// fault: no stroke, a stroke without a shape, or too many.
+    /// fault: no stroke, a stroke without a shape, or too many strokes.
     static Expected<Recogniser> make(std::span<const Gesture> gestures,
                                      const RecogniserSettings& settings = {});
 
@@ -112,7 +115,8 @@ public:
     std::size_t gestures() const { return names_.size(); }
     /// Name of a gesture.
     const std::string& name(std::uint32_t gesture) const { return names_[gesture]; }
-    /// Number of templates.
+    /// Number of templates: recorded strokes, their copies drawn backwards, and means of the strokes of a
+    /// gesture.
     std::size_t templates() const { return templates_.size(); }
     /// Settings with which the recogniser was made.
     const RecogniserSettings& settings() const { return settings_; }
@@ -123,30 +127,33 @@ public:
 
     /// Recognises a whole stroke. Allocates nothing after the first call with the same space.
     Recognition recognise(Points stroke, RecogniserSpace& space) const;
-    /// Does the same for a part of continuous motion, in which no rest is left out.
+    /// Recognises a part of continuous motion like a whole stroke, except that no rest of the hand is left
+    /// out.
     Recognition recognise_part(Points part, RecogniserSpace& space) const;
     /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke
     /// that means nothing to it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
-    /// Probability that a stroke was meant as `gesture`, given the distances of the gesture and of the
-    /// runner-up, if half of all strokes mean nothing.
+    /// Probability that a stroke was meant as `gesture`, given its distances from this gesture and from the
+    /// second nearest (the runner-up), if half of all strokes mean nothing.
     double probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
                           float runner_up_distance) const;
     /// How hard a stroke of this gesture was drawn, by its mean force (unit of the device).
     ForceClass force_class(std::uint32_t gesture, double mean_force) const;
-    /// True if only force tells strokes of the two gestures apart. A gesture is no twin of itself.
+    /// True if the two gestures are twins: only force tells their strokes apart. A gesture is no twin of
+    /// itself.
     bool are_twins(std::uint32_t a, std::uint32_t b) const;
-    /// The gesture, or its twin whose templates have the mean force nearest to this one.
+    /// Of a gesture and its twins (gestures of its shape with another force), the one whose templates have
+    /// the mean force nearest to `mean_force`.
     std::uint32_t twin_by_force(std::uint32_t gesture, double mean_force) const;
 
     /// True if the course of the force within a stroke counts. It does not if it is switched off, or if the
     /// recorded forces only follow the speed of the hand (unless RecogniserSettings::pace_counts); mean
     /// forces still tell twins apart then.
     bool counts_force() const { return counts_force_; }
-    /// True if some gesture counts z.
+    /// True if some gesture takes z, the depth of a stroke, into account.
     bool needs_solid() const { return needs_solid_; }
-    /// True if some gesture ignores z.
+    /// True if some gesture ignores z, the depth of a stroke.
     bool needs_flat() const { return needs_flat_; }
     /// Least arc length of the templates (unit of the strokes).
     float shortest() const { return shortest_; }
@@ -161,16 +168,16 @@ private:
     struct Template {
         std::uint32_t gesture{};
         /// Number of the recorded stroke among those of the gesture. A copy drawn backwards has the same
-        /// number. The mean has the number after the last stroke.
+        /// number. A template that is the mean of all strokes has the number after the last stroke.
         std::uint32_t stroke{};
         std::uint32_t channels{};
         std::size_t values{};  ///< index in `values_`; the values of a closed gesture stand there twice
         float size{}, length{};
-        float self{};  ///< dot product with itself
+        float self{};  ///< dot product of the template's shape with itself
         bool closed{};
         bool turns{};                 ///< true: the gesture tolerates rotation
         float cosine{}, sine{};       ///< cosine and sine of the largest tolerated angle
-        float smallest{}, largest{};  ///< range of a stroke's size, relative to `size`
+        float smallest{}, largest{};  ///< bounds of a stroke's size, as multiples of `size`
     };
     using Survivor = RecogniserSpace::Survivor;
 
@@ -179,7 +186,8 @@ private:
         float length_range = 0;  ///< largest ratio of the lengths of stroke and template; 0: any
         bool means = true;       ///< false to leave out the means of recorded strokes
         Rests rests = Rests::left_out;
-        bool twins = true;  ///< false to leave out the twins of `left_out` too
+        /// False to leave out not only the gesture `left_out` but also its twins (same shape, other force).
+        bool twins = true;
     };
 
     Expected<void> add(const Gesture& gesture, RecogniserSpace& space);
@@ -200,13 +208,14 @@ private:
     void verify(const Shape& shape, RecogniserSpace& space) const;
     void note(float distance, const Template& t, RecogniserSpace& space) const;
     const float* lane_values(const Survivor& survivor, std::size_t lane, RecogniserSpace& space) const;
-    /// The fine shape of a template, from its chosen start and turned towards
-    /// the stroke, and how it was made.
+    /// Writes the fine shape (32 points) of a template, from the start and with the turn that fit the stroke
+    /// best. Returns which channels it has and whether its axes were made more alike.
     FineKind fine_template(const Survivor& survivor, FineShape& shape) const;
     void score(const Shape& shape, std::size_t count, RecogniserSpace& space) const;
-    /// The best turn, and the best start if the template is closed.
+    /// The turn with the largest dot product of stroke and template, and also the best start if the template
+    /// is closed.
     Survivor turned_score(const Shape& shape, const Template& t) const;
-    /// The best start.
+    /// For a closed template, the point to start at that gives the largest dot product with the stroke.
     Survivor closed_score(const Shape& shape, const Template& t) const;
     Recognition result_of(const Shape& shape, const RecogniserSpace& space) const;
     float distance_of(std::uint32_t gesture, float farthest, const RecogniserSpace& space) const;
@@ -215,7 +224,9 @@ private:
 
     RecogniserSettings settings_;
     std::vector<std::string> names_;
-    std::vector<GestureOptions> options_;            ///< options of each gesture, their force bands filled in
+    /// Options of each gesture. Where it sets no bounds of gentle and harsh force, the usual ones are filled
+    /// in.
+    std::vector<GestureOptions> options_;
     std::vector<std::uint32_t> strokes_of_;          ///< number of recorded strokes of each gesture
     std::vector<double> template_force_;             ///< mean force of the templates of each gesture
     std::vector<std::vector<std::uint32_t>> twins_;  ///< for each gesture, others that differ in force alone

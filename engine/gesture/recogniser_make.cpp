@@ -1,4 +1,5 @@
-// Construction of a recogniser: templates, bands of force, and the calibration with synthetic strokes.
+// Construction of a recogniser: templates, limits of gentle and harsh force, and the calibration with
+// synthetic strokes.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,8 @@ namespace {
 
 constexpr std::size_t variations_of_each = 24;
 constexpr std::size_t min_scribbles = 300, max_scribbles = 1200;
-/// Usual bounds of a gentle and of a harsh stroke, as shares of the templates' mean force.
+/// Bounds of a gentle and of a harsh stroke for gestures that set none, as shares of the templates' mean
+/// force.
 constexpr double gentle_share = 0.6, harsh_share = 1.6;
 constexpr float open_threshold = 1e9F;
 constexpr float assumed_usual = 0.1F, min_usual = 1e-3F;
@@ -38,7 +40,8 @@ float quantile(std::vector<float> values, double share) {
     return values[static_cast<std::size_t>(std::floor(share * last + 0.5))];
 }
 
-/// Distance of the nearest gesture besides `other` to the stroke compared last; 0: there is none.
+/// Distance of the stroke that was compared last to the nearest gesture that is not `other`; 0: there is
+/// none.
 template <class Nearest>
 double nearest_third(std::span<const Nearest> nearest, std::uint32_t other) {
     float third = 0;
@@ -85,7 +88,7 @@ bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t
     return true;
 }
 
-/// Values of a template as a shape, to compare it with others. A closed template from its first start.
+/// Values of a template as a shape, to compare it with others. A closed template begins at its first start.
 Shape Recogniser::shape_of(const Template& t) const {
     Shape shape{.channels = t.channels};
     std::copy_n(&values_[t.values], shape_points * t.channels, shape.values.begin());
@@ -115,7 +118,7 @@ void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, 
         mean.stroke = t.stroke + 1;
     }
     for (std::size_t i = mean.values; i < values_.size(); ++i) mean.self += values_[i] * values_[i];
-    fine_.emplace_back();  // stays empty: only the spotter reads fine shapes, and it leaves means out
+    fine_.emplace_back();  // stays empty: only the spotter for continuous motion reads it, without means
     templates_.push_back(mean);
 }
 
@@ -192,7 +195,8 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
     return {};
 }
 
-/// Finds twins, gestures of one shape that differ in force: a recorded stroke of one is near to the other.
+/// Finds twins (gestures of one shape that differ in force): a recorded stroke of one must be near to the
+/// other.
 void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& space) {
     std::vector<std::vector<std::uint32_t>> twins(gestures.size());
     twins_.assign(gestures.size(), {});
@@ -213,8 +217,8 @@ void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& 
     twins_ = std::move(twins);
 }
 
-/// Calibrates with strokes that other users might draw and with strokes that mean nothing. Thresholds are
-/// open meanwhile: no stroke is refused for its distance.
+/// Calibrates with strokes that other users might draw and with strokes that mean nothing. While these are
+/// recognised, the thresholds of acceptance are open: no stroke is refused for its distance.
 void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& space) {
     Random random = random_stream(settings_.seed, 0x9e57);
     std::vector<std::vector<float>> meant(names_.size()), not_meant(names_.size());
@@ -224,8 +228,8 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         for (std::size_t v = 0; v < variations_of_each; ++v) {
             const auto& strokes = gestures[g].strokes;
             drawn[g].push_back(variation_of(strokes[v % strokes.size()], random));
-            // Templates that are means of strokes are left out: the spotter, which weighs gestures by their
-            // usual distance, leaves them out too.
+            // Templates that are means of strokes are left out. The spotter, which searches continuous
+            // motion, leaves them out too, and weighs distances by the usual distance found here.
             const auto r = recognise_within(drawn[g].back(), {.means = false}, space);
             if (r.gesture == g || are_twins(g, r.gesture)) meant[g].push_back(r.distance);
         }

@@ -11,21 +11,22 @@
 namespace thaum::gesture {
 namespace {
 
-// Number of points up to which it is faster to compute the places of all than to search for some.
+// Number of points up to which computing all places along the stroke is faster than searching for some.
 constexpr std::size_t few_points = 200;
-/// Exponent that a fine shape applies to the ratio of the axes' sizes, and the size below which an axis
-/// counts as this large, as a share of the largest.
+/// To make the axes of a fine shape more alike, the ratio of their sizes is raised to this exponent. An axis
+/// smaller than `min_axis`, as a share of the largest, counts as that large.
 constexpr float axis_exponent = 0.5F, min_axis = 0.5F;
 // Length of a direction after a long step, and the step (in sizes of the stroke) at which the direction has
 // half that length. Where points lie close together, their direction is uncertain, and so counts less.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
 constexpr float force_deviation = 0.5F;  // standard deviation of the force channel
-// A rest may begin where the hand moves little for some time: a part of the stroke that lasts for about
-// `halt_share` of the longest halt is at most `halt_way` long, plus `tremor_step` for each step of tremor.
-// Lengths are shares of the extent.
+// Signs that a rest may begin at a point, either of which is enough. One step lasts longer than `halt_share`
+// of the longest halt and is shorter than `halt_way`. Or the steps that take that long on average last more
+// than `min_halt` of it, and together are shorter than `halt_way` plus `tremor_step` for each, since a hand
+// trembles. Lengths are shares of the stroke's extent.
 constexpr float halt_share = 0.75F, min_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
-// Duration above which all points of a stroke are searched for rests; in a shorter stroke, the copied points
-// come first (s).
+// Duration above which all points of a stroke are searched for rests. In a shorter stroke, the points that
+// were copied (at most counted_points) are searched first (s).
 constexpr float surely_quick = 10;
 /// Number of points outside of rests that is enough for a shape. If there are fewer, all points of the stroke
 /// are read, so that others replace those of rests.
@@ -36,13 +37,13 @@ using Bits4 = std::uint64_t __attribute__((vector_size(32)));
 
 Floats4 masked(Floats4 v, Ints4 mask) { return reinterpret_cast<Floats4>(reinterpret_cast<Ints4>(v) & mask); }
 
-/// Points of a shape, each with force, x, y and z in its four lanes.
+/// Points of a stroke in the form of its shape, each with force, x, y and z in its four lanes.
 template <std::size_t points>
 struct Sampled {
     std::array<Floats4, points> at;
 };
 
-/// Mask of the lanes of a point that count.
+/// Mask of those lanes (force, x, y, z) of a point that the channels in use contain.
 Ints4 lanes_of(Channels channels) { return Ints4{channels.force ? -1 : 0, -1, -1, channels.depth ? -1 : 0}; }
 
 /// Four vectors of four lanes, transposed: `a` holds the first lane of each vector, `d` the last one.
@@ -66,8 +67,8 @@ Floats4 roots_of(Floats4 v) {
     return load<Floats4>(lanes);
 }
 
-/// Whether all numbers of all points are finite, including points that do not count. Tests four numbers at a
-/// time.
+/// Whether all numbers of all points are finite, including points that thinning leaves out. Tests four
+/// numbers at a time.
 bool all_finite_numbers(Points stroke) {
     static_assert(sizeof(StrokePoint) == 5 * sizeof(double));
     constexpr std::uint64_t exponent = 0x7ff0000000000000;
@@ -102,7 +103,7 @@ Floats4 smaller(Floats4 a, Floats4 b) { return a < b ? a : b; }
 Floats4 size_of(Floats4 v) { return masked(v, 0x7fffffff + Ints4{}); }
 bool all_of(Ints4 lanes) { return (lanes[0] & lanes[1] & lanes[2] & lanes[3]) != 0; }
 
-/// Step in points so that at most counted_points of the stroke are used.
+/// Of a stroke with many points, only every so many are used, so that there are at most counted_points.
 std::size_t stride_of(std::size_t points) { return (points + counted_points - 1) / counted_points; }
 
 /// What `copy` has found out about a stroke.
@@ -155,15 +156,16 @@ Copied copy(Points stroke, bool depth, ShapeSpace& space) {
             std::max({extent[1], extent[2], extent[3]})};
 }
 
-/// Criteria by which a copied point may begin a rest: the path that follows is short for some time.
+/// Signs that a rest may begin at a point, cheap to test: the path that follows is short for some time.
 struct HaltSign {
-    std::size_t steps{};      ///< number of steps of that path
-    float way{}, shortest{};  ///< length of one step, and of the whole path, below which there may be a rest
-    /// Duration of one step, and of the whole path, above which there may be a rest (s).
+    std::size_t steps{};  ///< number of steps in the path that follows the point
+    /// Length of the whole path, and of its first step, below which there may be a rest.
+    float way{}, shortest{};
+    /// Duration of the first step, and of the whole path, above which there may be a rest (s).
     float longest{}, halt{};
 };
 
-/// Marks those of the four points from `k` on at which a rest may begin.
+/// Marks those of the four points from `k` on at which a rest of the hand may begin.
 Ints4 signs_at(const ShapeSpace& space, const HaltSign& sign, std::size_t k) {
     const auto length = load<Floats4>(&space.length[k]), t = load<Floats4>(&space.t[k]);
     const auto way = load<Floats4>(&space.length[k + sign.steps]) - length,
@@ -173,8 +175,8 @@ Ints4 signs_at(const ShapeSpace& space, const HaltSign& sign, std::size_t k) {
     return ((way < sign.way) & (time > sign.halt)) | ((step < sign.shortest) & (pause > sign.longest));
 }
 
-/// The criteria for the copied points; `steps` is 0 if the stroke is too short for a rest. Sets the points
-/// beyond the last one to values that never look like a rest.
+/// The signs of a rest for the points that were copied; `steps` is 0 if the stroke is too short for a rest.
+/// Sets the points beyond the last one to values that never look like a rest.
 HaltSign halt_sign(ShapeSpace& space, float extent) {
     const float lasts = space.t[space.count - 1];
     constexpr float halt = halt_share * static_cast<float>(longest_halt);
@@ -195,7 +197,7 @@ bool has_sign(const ShapeSpace& space, const HaltSign& sign) {
     return (some[0] | some[1] | some[2] | some[3]) != 0;
 }
 
-/// The copied points in the form that rests.h needs.
+/// Presents the copied points of a stroke to the search for rests (rests.h).
 struct CopiedStroke {
     const ShapeSpace& space;
     const HaltSign& sign;
@@ -205,7 +207,7 @@ struct CopiedStroke {
     bool may_rest(std::size_t i) const { return signs_at(space, sign, i)[0] != 0; }
 };
 
-/// All points of a stroke in the form that rests.h needs.
+/// Presents all points of a stroke to the search for rests (rests.h).
 struct WholeStroke {
     Points points;
     bool depth;
@@ -232,7 +234,7 @@ float distance(const ShapePoint& a, const ShapePoint& b) {
     return std::sqrt(dx * dx + dy * dy + dz * dz);
 }
 
-/// Keeps the copied points of the moving parts and drops those of rests.
+/// Keeps those of the copied points that lie in moving parts of the stroke, and drops those of rests.
 void keep_moving(const MovingParts& parts, ShapeSpace& s) {
     const float start_t = s.t[parts.items[0].first];
     std::size_t count = 0;
@@ -257,7 +259,7 @@ void keep_moving(const MovingParts& parts, ShapeSpace& s) {
     s.before += start_t;
 }
 
-/// Copies the points of the moving parts of a whole stroke.
+/// Copies the points in the moving parts of a whole stroke, thinned to at most counted_points.
 Copied copy_moving(Points stroke, bool depth, const MovingParts& parts, ShapeSpace& space) {
     const std::size_t points = parts.points(), stride = stride_of(points);
     std::array<StrokePoint, counted_points> kept;
@@ -275,7 +277,7 @@ Copied copy_moving(Points stroke, bool depth, const MovingParts& parts, ShapeSpa
     return copy(Points(kept).first(count), depth, space);
 }
 
-/// Removes the rests of a stroke that was copied.
+/// Removes the points at which the hand rests from a stroke that `copy` has copied.
 Copied leave_out_rests(Points stroke, bool depth, const Copied& copied, ShapeSpace& space) {
     const bool slow = space.t[space.count - 1] > surely_quick;
     HaltSign sign;
@@ -350,7 +352,8 @@ std::size_t point_before(float wanted, std::size_t first, std::size_t last, Plac
     return first;
 }
 
-/// Parameter of each of the equally spaced points, and two more values that are larger than any place.
+/// The value that grows along a stroke from 0 to 1, at each of the equally spaced points, and two more values
+/// that are larger than any place.
 template <std::size_t points>
 constexpr std::array<float, points + 2> wanted_places() {
     std::array<float, points + 2> wanted{};
@@ -360,9 +363,9 @@ constexpr std::array<float, points + 2> wanted_places() {
     return wanted;
 }
 
-/// For each point of the shape, the last stroke point from `first` to before `last` whose place is below it;
-/// `first` if none is. Instead of one search for each point of the shape, each point of the stroke marks the
-/// first point of the shape beyond it.
+/// For each point of the shape, the last point of the stroke from `first` to before `last` that lies before
+/// it; `first` if none does. Instead of one search for each point of the shape, each point of the stroke
+/// marks the first point of the shape beyond it.
 template <std::size_t points>
 std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t first, std::size_t last) {
     static constexpr auto wanted = wanted_places<points>();
@@ -384,7 +387,7 @@ std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t
     return result;
 }
 
-/// Position of each point of the shape between two points of the stroke, 0 to 1.
+/// For each point of the shape, how far it lies on the way from one point of the stroke to the next, 0 to 1.
 template <std::size_t points>
 void set_parts(const std::array<float, points>& before, const std::array<float, points>& after,
                std::array<float, points>& part) {
@@ -397,8 +400,8 @@ void set_parts(const std::array<float, points>& before, const std::array<float, 
     }
 }
 
-/// Samples the shape's points along the stroke, at equal steps of arc length and time, and computes their
-/// mean.
+/// Samples the shape's points along the stroke, at equal steps of the weighted sum of arc length and time,
+/// and computes their mean.
 template <std::size_t points>
 Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last, Floats4& mean) {
     static constexpr auto wanted = wanted_places<points>();
@@ -447,8 +450,9 @@ void multiply(Sampled<points>& q, Floats4 factors) {
     for (Floats4& v : q.at) v *= factors;
 }
 
-/// Moves the centroid to the origin, and scales. Lanes that do not count become 0. Returns the size, 0
-/// if it is too small to divide by.
+/// Moves the centroid of the points to the origin, and scales them to a root mean square distance of 1. Lanes
+/// (force, x, y, z) that `used` leaves out become 0. Returns the size before, or 0 if it is too small to
+/// divide by.
 template <std::size_t points>
 float normalise(Sampled<points>& q, Floats4 mean, Ints4 used) {
     for (Floats4& v : q.at) v = masked(v - mean, used);

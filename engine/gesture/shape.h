@@ -25,27 +25,32 @@ inline constexpr std::size_t shape_points = 24;
 /// Number of points of a stroke that are used. A longer stroke is thinned evenly, which hardly changes the 24
 /// points of the shape.
 inline constexpr std::size_t counted_points = 80;
-inline constexpr std::size_t max_points = 4096;  ///< largest number of points in a ShapeSpace, for callers
-                                                 ///< that fill it themselves
-/// Number of channels: x, y, direction x, y, turn z, force.
+/// Largest number of points in a ShapeSpace, the working memory for strokes. A caller that fills one itself
+/// must not exceed it; strokes that make_shape() copies are thinned to far fewer.
+inline constexpr std::size_t max_points = 4096;
+/// Number of channels of a planar shape, numbers at each point: x, y, direction x, y, turn z, force.
 inline constexpr std::size_t planar_channels = 6;
-/// Number of channels: x, y, z, direction x, y, z, turn x, y, z, force.
+/// Number of channels of a solid shape, numbers at each point: x, y, z, direction x, y, z, turn x, y, z,
+/// force.
 inline constexpr std::size_t solid_channels = 10;
 inline constexpr std::size_t max_channels = solid_channels;
 
-/// A stroke in the form in which strokes are compared.
+/// A stroke with place, size and time taken away, so that strokes can be compared point by point.
 struct Shape {
     /// Number of channels: planar_channels or solid_channels.
     std::size_t channels{};
     /// Value of a channel at a point: values[point * channels + channel].
     std::array<float, shape_points * max_channels> values{};
-    float size{};     ///< root mean square distance from the centroid (unit of the stroke)
-    float length{};   ///< arc length (unit of the stroke)
-    float seconds{};  ///< time from the first to the last point that counts (s)
-    float force{};    ///< mean force along the path (unit of the stroke)
-    float gap{};      ///< distance from start to end, divided by the arc length
-    float start_t{};  ///< time from the first point of the stroke to the first point that counts (s)
-    float end_t{};    ///< time from the first point of the stroke to the last point that counts (s)
+    float size{};    ///< root mean square distance from the centroid (unit of the stroke)
+    float length{};  ///< arc length (unit of the stroke)
+    /// Time from the first to the last point that is not left out as a rest (s).
+    float seconds{};
+    float force{};  ///< mean force along the path (unit of the stroke)
+    float gap{};    ///< distance from start to end, divided by the arc length
+    /// Time from the stroke's first point to its first point that is not left out as a rest (s).
+    float start_t{};
+    /// Time from the stroke's first point to its last point that is not left out as a rest (s).
+    float end_t{};
 };
 
 /// A shape for closer comparison. It has more points, and the difference between the axes' sizes is reduced
@@ -54,7 +59,7 @@ struct Shape {
 inline constexpr std::size_t fine_points = 32;
 using FineShape = std::array<float, fine_points * max_channels>;  ///< values: [point * channels + channel]
 
-/// Kind of a fine shape: its channels, and whether its axes are evened out.
+/// Kind of a fine shape: its channels, and whether the sizes of its axes are made more alike.
 struct FineKind {
     Channels channels{};
     bool even = true;  ///< false: keep the ratio of the axes' sizes, for a gesture that may be turned
@@ -75,12 +80,12 @@ struct ShapeSpace {
     std::array<float, max_points> length{};  ///< arc length up to each point
     std::array<float, max_points> place{};   ///< scratch memory: parameter by which the points are resampled
     std::size_t count{};
-    float before{};  ///< removed time between the stroke's first point and the first point that counts (s)
+    float before{};  ///< duration of a rest that was removed from the start of the stroke (s)
     float paused{};  ///< removed time of rests within the stroke (s)
 };
 
-/// Whether rests are removed from a stroke (rests.h), or kept as in a part that a caller has cut out of
-/// continuous motion.
+/// Whether the time for which the hand rests is removed from a stroke (rests.h). It is kept in a part that a
+/// caller has cut out of continuous motion.
 enum class Rests : std::uint8_t { left_out, kept };
 
 /// Makes the shape of a stroke. Returns false for a stroke without two different places or with a value
@@ -89,7 +94,7 @@ bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shap
                 Rests rests = Rests::left_out);
 
 /// Makes the shape of the points in `space` from `first` to `last`, both included. `length` has the arc
-/// length up to each point. For callers that fill the space themselves.
+/// length up to each point. For callers that write the points into the space themselves.
 bool make_shape(ShapeSpace& space, std::size_t first, std::size_t last, Channels channels, Shape& shape);
 
 /// Makes the fine shape of the points in `space` from `first` to `last`, both included. The first call of

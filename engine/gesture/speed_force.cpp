@@ -7,8 +7,8 @@
 namespace thaum::gesture {
 namespace {
 
-/// Number of parts of a stroke over which its force and its speed are averaged. A part of a mouse's stroke
-/// then has several steps, whose rounding to counts averages out.
+/// Number of parts of a stroke over each of which force and speed are averaged. A part then has several steps
+/// even with a mouse, so that the rounding of its positions to whole counts averages out.
 constexpr double speed_parts = 12;
 /// Largest `force_beside_speed` of a force that follows speed: the square of a tenth. Strokes in the game's
 /// viscous field have 0.01 at most, even with a mouse that jitters, and letters by a pen that feels pressure

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double points_of_shortest = 40;  // number of points of the shortest window (a part of the motion
                                            // that is compared with templates)
-// Number of scans while the hand moves by the length of the shortest window. At each scan, windows of all
-// lengths end at the present point.
+// Number of scans while the hand moves by the length of the shortest window. A scan compares the parts of the
+// motion (windows) of all lengths that end at the present point with the templates.
 constexpr double ends_of_shortest = 14;
 /// Largest overlap of two reported gestures, as a share of the shorter one.
 constexpr double max_overlap = 0.15;
@@ -21,8 +21,11 @@ constexpr double plain_usual = 0.06;
 // elastic distance; as a share of the template's product with itself.
 constexpr float min_match = 0.5F;
 constexpr std::size_t kept_points = max_points / 2;
-constexpr float max_looked_at = 0.25F;  // largest score of a window that gets a close look (close_look.h)
-// While windows are being compared, one tick out of this many is used for a close look, if one is due.
+// Largest score (the smaller, the surer) of a window (part of the motion) that gets a close look, the search
+// for a stroke's exact ends.
+constexpr float max_looked_at = 0.25F;
+// While windows (parts of the motion) are being compared, one tick out of this many is used for a close look
+// (search for a stroke's exact ends), if one is due.
 constexpr std::uint32_t look_every = 4;
 
 // Besides the distance, two factors of the score separate gestures from other motion: rest before and after
@@ -35,7 +38,8 @@ constexpr float time_before = 0.3F, time_after = 0.2F;
 constexpr double rest_power =
     0.07;  // exponent of the speeds before and after the stroke, each divided by the stroke's own speed
 constexpr double duration_weight = 0.1;
-// limits of these speeds, divided by the stroke's own: for a hand at rest, and for a hand that moves fast
+// Limits of the speeds before and after a stroke, divided by the stroke's own: for a hand at rest, and for a
+// hand that moves fast.
 constexpr float min_motion = 0.1F, max_motion = 3;
 constexpr float shortest_time = 0.05F;  // shortest duration that a speed is divided by, against division by
                                         // zero (s)
@@ -117,8 +121,8 @@ void Spotter::restart() {
     skipped_ = ends_ = 0;
 }
 
-/// Makes room for new points: drops the older half. Arc lengths and times become relative to the first point
-/// that is kept.
+/// Makes room for new points by dropping the older half. Arc lengths and times become relative to the first
+/// point that is left.
 void Spotter::make_room() {
     const std::size_t first = points_.count - kept_points;
     const float length = points_.length[first], t = points_.t[first];
@@ -139,7 +143,7 @@ void Spotter::make_room() {
     dropped_ += first;
     scanning_ = verifying_ = false;  // the indices of the points in use are no longer valid
     if (look_.is_active() && !held_[looked_at_.what.gesture].waiting) {
-        // Keep the candidate of the close look, with its new indices.
+        // The candidate whose exact ends are being searched waits again, with its new indices.
         held_[looked_at_.what.gesture] = looked_at_;
         held_[looked_at_.what.gesture].waiting = true;
     }
@@ -147,7 +151,7 @@ void Spotter::make_room() {
     for (auto& h : held_) h.waiting = h.waiting && h.first >= dropped_;
 }
 
-/// Appends the point if it is at least one step of arc length away from the last one.
+/// Appends the point if the hand has moved by at least one step (spacing_) since the last point.
 void Spotter::append(const StrokePoint& p) {
     float length = 0;
     if (points_.count == 0) {
@@ -191,8 +195,8 @@ void Spotter::keep(const Pair& pair) {
     pairs_[at] = pair;
 }
 
-/// Compares the window of the next length with the templates, with and without depth as they require. Ends
-/// the scan when windows become too long.
+/// Compares the next longer part of the motion (window) that ends at the present point with the templates,
+/// once with depth and once without if templates need both. Ends the scan when windows become too long.
 void Spotter::look_at_length() {
     const float from = last_end_ - next_length_;
     const auto* begin = points_.length.data();
@@ -211,7 +215,8 @@ void Spotter::look_at_length() {
     if (recogniser_.needs_flat()) look_at_window(first, false);
 }
 
-/// Makes a window and compares it with the templates by dot product.
+/// Makes the shape of the part of the motion from `first` to the present end (a window), and finds by dot
+/// product the templates that it resembles.
 void Spotter::look_at_window(std::size_t first, bool depth) {
     auto& window = windows_[window_count_];
     const Channels channels{depth, recogniser_.counts_force()};
@@ -232,8 +237,8 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     ++window_count_;
 }
 
-/// Sorts the pairs of window and template: those with depth first. Pairs that are compared together must have
-/// the same channels.
+/// Sorts the pairs of window (part of the motion) and template: those with depth first. Pairs that are
+/// compared together must have the same channels, the numbers that describe a point.
 void Spotter::sort_by_channels() {
     std::array<Pair, max_pairs> flat;
     std::size_t solid_count = 0, flat_count = 0;
@@ -244,7 +249,7 @@ void Spotter::sort_by_channels() {
     std::copy_n(flat.begin(), flat_count, pairs_.begin() + static_cast<std::ptrdiff_t>(solid_count));
 }
 
-/// Computes the elastic distances of the next eight pairs of window and template.
+/// Computes the elastic distances of the next eight pairs of window (part of the motion) and template.
 void Spotter::verify() {
     if (verified_ == 0) std::fill_n(best_.begin(), recogniser_.gestures(), Best{});
     const auto channels_of = [&](std::size_t k) { return windows_[pairs_[k].window].shape.channels; };
@@ -273,8 +278,9 @@ void Spotter::verify() {
     }
 }
 
-/// Makes a candidate of each gesture's best window in this scan. Its runner-up is the nearest other gesture,
-/// but not one of the same shape with another force.
+/// For each gesture, makes a candidate of the window (part of the motion) that resembles it most in this
+/// scan. The candidate's runner-up is the nearest other gesture, but not one of the same shape with another
+/// force.
 void Spotter::collect() {
     for (std::uint32_t g = 0; g < recogniser_.gestures(); ++g) {
         if (!best_[g].found) continue;
@@ -296,8 +302,8 @@ void Spotter::collect() {
     }
 }
 
-/// Keeps a window for a close look (a search for the stroke's exact ends), if it is the best of the gesture's
-/// windows that overlap.
+/// Keeps a window (part of the motion) for a close look (a search for the stroke's exact ends), if it is the
+/// best of the gesture's windows that overlap.
 void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace::Survivor& match) {
     if (!(c.score <= max_looked_at)) return;
     auto& held = held_[c.gesture];
@@ -306,12 +312,14 @@ void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace:
     };
     if (!beats(seen_[c.gesture])) return;
     if (held.waiting && !beats(held.what)) return;
-    // If the gesture's waiting window is due for its close look and not worse, it is not replaced.
+    // Once the held window (part of the motion) has waited long enough for its close look, only a window with
+    // a smaller score, which is a better one, replaces it.
     if (held.waiting && now_ >= held.due && c.score >= held.what.score) return;
     held = {true, c, dropped_ + first, dropped_ + end_, match, now_ + settings_.hold};
 }
 
-/// Begins the close look at the best window that has waited long enough. Returns false if there is none.
+/// Begins the close look (search for a stroke's exact ends) at the best window that has waited long enough.
+/// Returns false if there is none.
 bool Spotter::begin_look() {
     Held* best = nullptr;
     for (auto& h : held_) {
@@ -326,15 +334,16 @@ bool Spotter::begin_look() {
     return true;
 }
 
-/// Does one step of the present close look, or of a new one. Returns false if no window is due for one.
+/// Does one step of the present close look (search for a stroke's exact ends), or of a new one. Returns false
+/// if no window is due for one.
 bool Spotter::look_closer() {
     if (!look_.is_active() && !begin_look()) return false;
     if (look_.step(points_)) end_look();
     return true;
 }
 
-/// Factor of the score (the smaller, the surer) for the motion before and after a stroke, less than 1 if the
-/// hand rested.
+/// Factor of a candidate's score (the smaller, the surer) for the motion before and after the stroke. It is
+/// less than 1 if the hand rested there, as it does beside a gesture more often than within other motion.
 double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
     const auto &length = points_.length, &t = points_.t;
     const float speed = (length[last] - length[first]) / std::max(t[last] - t[first], shortest_time);
@@ -353,7 +362,8 @@ double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
     return det::pow(share(way_before, time_before) * share(way_after, seconds_after), rest_power);
 }
 
-/// Makes a candidate, with its final score, from a close look that has ended.
+/// Makes a candidate, with its final score, from a close look (search for a stroke's exact ends) that has
+/// ended.
 void Spotter::end_look() {
     const std::size_t first = look_.first(), last = look_.last();
     auto c = looked_at_.what;

@@ -11,9 +11,9 @@
 // usual such distances are for the gesture, whether the hand rested before and after it, and whether it
 // lasted as long as the templates.
 //
-// The work of a tick has a hard limit: `windows_per_tick` windows, or one comparison of eight pairs, or
-// one step of a close look. A fast hand gets ahead of that; then some ends of windows are skipped. All
-// memory is allocated by the constructor.
+// The work of a tick has a hard limit: `windows_per_tick` windows (parts of the motion), or one comparison of
+// eight pairs, or one step of a close look. If a fast hand moves on before all windows that end at a point
+// are compared, the rest of them is skipped. All memory is allocated by the constructor.
 #pragma once
 #include <memory>
 #include <optional>
@@ -30,9 +30,11 @@ struct SpotterSettings {
     /// one.
     double window_ratio = 1.12;
     double longest = 8;  ///< longest duration of a stroke (s)
-    /// Time after which a window gets a close look (search for its exact ends) if no better one has come (s).
+    /// Time after which a window (part of the motion) gets a close look (search for its exact ends) if no
+    /// better one has come (s).
     double hold = 0.2;
-    /// Time for which a candidate waits for a better one that overlaps it, before it is reported (s).
+    /// Time for which a candidate (part of the motion that may be a gesture) waits for a better one that
+    /// overlaps it, before it is reported (s).
     double wait = 0.1;
     float max_score = 0.14F;  ///< largest score of a stroke that is reported; the smaller, the surer
     std::size_t windows_per_tick = 4;
@@ -44,8 +46,9 @@ struct Candidate {
     std::uint32_t runner_up = Recognition::none;
     float distance{};
     float runner_up_distance{};
-    float score{};          ///< score, as the top of this file describes it; the smaller, the surer
-    double start{}, end{};  ///< times of its first and last point (s)
+    float score{};  ///< score, as the top of this file describes it; the smaller, the surer
+    /// Times of the first and the last point of this part of the motion (s)
+    double start{}, end{};
     double mean_force{};
 
     bool operator==(const Candidate&) const = default;
@@ -99,9 +102,10 @@ public:
     /// choice among them.
     std::span<const Candidate> scan(const StrokePoint& point);
 
-    /// Number of points so far at which windows should end, skipped ones included.
+    /// Number of points so far at which windows (parts of the motion to compare) should end, skipped ones
+    /// included.
     std::uint64_t ends() const { return ends_; }
-    /// Number of those points whose windows were not all compared, because the hand moved on too fast.
+    /// Number of those points at which not all windows were compared, because the hand moved on too fast.
     std::uint64_t skipped_ends() const { return skipped_; }
 
 private:
@@ -112,18 +116,19 @@ private:
     };
     struct Window {
         Shape shape;
-        std::size_t first{};  ///< index of the window's first point
+        std::size_t first{};  ///< index of the first point of this part of the motion
         double start{}, end{};
     };
-    /// The best window of a gesture, waiting for a close look.
+    /// The best window (part of the motion) of a gesture, waiting for a close look, the search for its exact
+    /// ends.
     struct Held {
         bool waiting = false;
         Candidate what;
-        /// Numbers of the window's first and last point, counted from the spotter's start, dropped points
-        /// included.
+        /// Numbers of the window's first and last point, counted from the spotter's start. Points that have
+        /// been dropped since are counted too.
         std::uint64_t first{}, last{};
         RecogniserSpace::Survivor match{};
-        double due{};  ///< time at which the close look may begin (s)
+        double due{};  ///< time at which the close look (search for the exact ends) may begin (s)
     };
     static constexpr std::size_t max_lengths = 48, max_pairs = 16;
 
@@ -133,7 +138,8 @@ private:
     void look_at_length();
     void look_at_window(std::size_t first, bool depth);
     void sort_by_channels();
-    /// Number of windows for each length: two if some gestures count depth and others do not.
+    /// Number of windows (parts of the motion) for each length: two if some gestures count depth and others
+    /// do not.
     std::size_t kinds() const { return recogniser_.needs_solid() && recogniser_.needs_flat() ? 2 : 1; }
     void keep(const Pair& pair);
     void verify();
@@ -145,7 +151,8 @@ private:
     double quiet_factor(std::size_t first, std::size_t last) const;
 
     const Recogniser& recogniser_;
-    /// For each gesture, the factor by which the score takes its usual distance into account.
+    /// For each gesture, the factor that makes the scores of gestures comparable whose strokes scatter more
+    /// or less.
     std::vector<float> factors_;
     SpotterSettings settings_;
     CandidateChoice choice_;
@@ -155,11 +162,13 @@ private:
     vec3 latest_{};         ///< place of the last point that was appended
     double now_ = -1e300;   ///< time of the last tick (s)
     float spacing_, end_step_;
-    float last_end_ = 0;  ///< arc length at the point at which windows ended last
+    /// Arc length up to the point at which windows (parts of the motion that are compared) ended last.
+    float last_end_ = 0;
     std::vector<Window> windows_;
     std::size_t window_count_ = 0, verified_ = 0;
-    float next_length_ = 0;  ///< arc length of the next window in this scan
-    std::size_t end_ = 0;    ///< index of the point at which the windows of this scan end
+    float next_length_ = 0;  ///< arc length of the window (part of the motion) that is compared next
+    /// Index of the point at which all windows (parts of the motion) end that are compared in this scan.
+    std::size_t end_ = 0;
     bool scanning_ = false, verifying_ = false;
     std::array<Pair, max_pairs> pairs_{};
     std::size_t pair_count_ = 0;
@@ -170,12 +179,13 @@ private:
         RecogniserSpace::Survivor match{};
     };
     std::array<Best, max_gestures> best_{};
-    std::vector<Held> held_;  ///< for each gesture, its best window, which waits for a close look
+    /// For each gesture, its best window (part of the motion), which waits for the search for its exact ends.
+    std::vector<Held> held_;
     std::vector<Candidate>
         seen_;  ///< for each gesture, the window that last had a close look, as it was before that look
     CloseLook look_;
     Held looked_at_{};
-    std::uint64_t dropped_ = 0;  ///< number of points that were dropped
+    std::uint64_t dropped_ = 0;  ///< number of old points that were dropped to make room for new ones
     std::uint32_t ticks_ = 0;
     std::vector<Candidate> candidates_;
     std::uint64_t ends_ = 0, skipped_ = 0;

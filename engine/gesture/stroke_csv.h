@@ -32,14 +32,14 @@ struct Session {
     std::vector<StrokePoint> points;
 };
 
-/// Sessions of one file.
+/// The sessions (continuous motion of one user each) of one file.
 struct SessionSet {
     std::vector<Session> sessions;
     bool has_depth = false;
     bool has_force = false;
 };
 
-/// A stroke that a user meant within a session.
+/// A label: within a session (continuous motion), the user meant this part as a stroke of a gesture.
 struct SessionLabel {
     std::string user;
     std::string gesture;

@@ -14,7 +14,7 @@ public:
 
     /// Takes the position of the hand in one tick. Times must not run backwards.
     void feed(const StrokePoint& hand, bool down);
-    /// Ends the present stroke although its button is still down.
+    /// Ends the present stroke, although its button is still down, and keeps it like one that was released.
     void end();
 
     /// Removes the last stroke, if there is one.

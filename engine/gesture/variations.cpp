@@ -11,7 +11,7 @@ constexpr std::size_t waves = 3;
 // Number of points to which a stroke is thinned out before it is varied, because more are not needed.
 constexpr std::size_t thinned_points = 160;
 
-/// A smooth random function on [0, 1]: a sum of sines with half a period or more.
+/// A smooth random function on [0, 1]: a sum of sines, the slowest with half a period.
 struct Waves {
     std::array<double, waves> height{}, phase{};
 

@@ -14,7 +14,8 @@
 
 namespace thaum::gesture {
 
-/// Standard deviations of the random changes to a stroke. The defaults imitate the differences between users.
+/// Standard deviations of the random changes to a stroke. The defaults imitate how strokes of different users
+/// differ.
 struct VariationSettings {
     double tilt = 0.15;     ///< rotation about the z axis (rad)
     double stretch = 0.18;  ///< standard deviation of the logarithm of each axis's scale

@@ -13,7 +13,8 @@ CouplingStep coupling_step(Coupling coupling, double inverse_object, double inve
     THAUM_ASSERT(is_valid(coupling) && inverse_object >= 0 && inverse_hand >= 0 && dt > 0,
                  "a coupling needs a step and nothing negative");
     THAUM_ASSERT(coupling.drag == 0 || inverse_hand == 0, "a drag needs a prescribed hand");
-    const double inverse_mass = inverse_object + inverse_hand;  // inverse mass of the relative motion
+    // Inverse mass of the relative motion of object and hand (1/kg).
+    const double inverse_mass = inverse_object + inverse_hand;
     CouplingStep step{.coupling = coupling, .inverse_object = inverse_object, .inverse_hand = inverse_hand};
     step.share = inverse_mass > 0 ? inverse_object / inverse_mass : 0;
     step.relative = {.decay = (coupling.damping * inverse_mass + coupling.drag * inverse_object) / 2,

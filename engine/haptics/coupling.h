@@ -1,5 +1,5 @@
-// haptics/coupling.h: the virtual coupling of the lift and swing wands (paper 002, 3.1.1): a spring and
-// damper between the haptic interface point (HIP) and an object in the world.
+// haptics/coupling.h: the virtual coupling of the lift and swing wands (paper 002, on the game HaptiCast,
+// section 3.1.1): a spring and damper between the haptic interface point (HIP) and an object in the world.
 //
 //     force on the object = stiffness (P_HIP - P_obj) + damping (V_HIP - V_obj),   the opposite on the hand
 //
@@ -8,9 +8,9 @@
 // moves at constant velocity. It is therefore accurate and stable at any stiffness, mass ratio and step.
 //
 // Data flow: settings, masses and dt -> CouplingStep (once) -> couple() each step -> an impulse for the
-// physics. If the physics moves the body by its new velocity alone, the position is off by half the impulse
-// times dt. To follow the spring exactly and still collide, give the body displacement / dt for the step.
-// After the step, set its velocity to velocity + velocity_change.
+// physics. If the physics moves the body by its new velocity alone, the position is off by about half of
+// velocity_change times dt. To follow the spring exactly and still collide, give the body the velocity
+// displacement / dt for the step. After the step, set its velocity to velocity + velocity_change.
 #pragma once
 #include "core/maths.h"
 #include "haptics/oscillator.h"
@@ -34,8 +34,8 @@ struct CouplingStep {
     /// Share of the relative motion of hand and object that the object makes, by their masses; 1 if the
     /// coupling does not move the hand.
     double share{};
-    Oscillator relative{};  ///< relative motion, HIP minus object
-    Response response{};    ///< response of the relative motion over dt
+    Oscillator relative{};  ///< oscillator that describes the HIP's motion relative to the object
+    Response response{};    ///< closed-form motion of that oscillator over a step
 };
 
 /// Prepares steps of `dt` seconds, dt > 0. The inverse masses are in 1/kg, >= 0; 0 is a body that nothing
@@ -55,17 +55,18 @@ struct CouplingState {
     vec3 object_acceleration{};  ///< acceleration by other constant forces, such as gravity (m/s^2)
 };
 
-/// Impulses and motions of one step.
+/// Impulses and motions of one step of a coupling between hand and object.
 struct CouplingResult {
     vec3 impulse{};       ///< impulse of spring and damper on the object; the hand gets the opposite (N s)
-    vec3 mean_force{};    ///< impulse / dt (N)
+    vec3 mean_force{};    ///< mean force of spring and damper on the object over the step (N)
     vec3 drag_impulse{};  ///< impulse of the drag on the object (N s)
     /// Change of the object's velocity by coupling, drag and other forces (m/s).
     vec3 velocity_change{};
     vec3 displacement{};  ///< displacement of the object over the step if nothing else touches it (m)
 };
 
-/// Advances the coupling by one step. Exact to rounding. Finite for finite input that does not overflow.
+/// Advances a coupling between hand and object by one step. Exact to rounding. Finite for finite input that
+/// does not overflow.
 CouplingResult couple(const CouplingStep& step, const CouplingState& state);
 
 /// Transform between device frame and world frame, with a scale for lengths and one for forces (HAPTICS.md,
@@ -76,7 +77,7 @@ struct CouplingFrame {
                                   ///< mirror axes
     double metres_per_metre = 1;  ///< s_x: world length per device length, > 0
     double newtons_per_newton{};  ///< s_f: device force per world force, >= 0
-    vec3 player{};                ///< position P_player (m, world)
+    vec3 player{};                ///< P_player: position of the player (m, world)
     vec3 taken_object{};          ///< P_obj0: position of the object when it was taken (m, player's frame)
     /// P_device0: position of the device when the object was taken (m, device frame)
     vec3 taken_device{};
@@ -88,7 +89,8 @@ vec3 interface_point(const CouplingFrame& frame, vec3 device);
 /// R_d^T R_g^T v: turns a world vector into the device frame. If the object gets the force F, the hand feels
 /// -s_f times to_device(F).
 vec3 to_device(const CouplingFrame& frame, vec3 world);
-/// Stiffness that the hand feels, s_f s_x k (N/m). It must stay below the device's limit.
+/// Stiffness that the hand feels, s_f s_x k (N/m). It must stay below the largest stiffness that the device
+/// renders stably.
 double felt_stiffness(const CouplingFrame& frame, double stiffness);
 
 }  // namespace thaum::haptics

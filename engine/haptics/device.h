@@ -8,7 +8,7 @@
 
 namespace thaum::haptics {
 
-/// Largest latency that a device model may have (ticks).
+/// Largest delay from a measured position to its force that a device may have (ticks).
 inline constexpr int max_latency = 8;
 
 /// What a force feedback device can do.
@@ -25,7 +25,7 @@ struct DeviceSpec {
     double mass{};              ///< apparent mass at the tip (kg)
     double damping{};           ///< viscous damping at the tip (N s/m)
     double coulomb_friction{};  ///< dry friction on each axis (N)
-    double update_rate{};       ///< servo rate (Hz)
+    double update_rate{};       ///< rate at which the device measures and gets forces (Hz)
     /// Delay from a measured position to the force computed from it (ticks); 0:
     /// the force acts in the same tick.
     int latency{};

@@ -12,15 +12,17 @@ namespace {
 
 constexpr double still = 1e-6;  // speed below which damping takes out no energy (m/s)
 constexpr std::uint32_t kept = max_latency + 1;
-/// Last share of the active sources' budget; while it is used up, their force fades.
+/// Last share of the energy that active sources may give in a second. While they use it up, their force
+/// fades, so that it does not end with a jump.
 constexpr double fading_share = 0.2;
-/// Force with which a spring without any reserve meets a hand that presses in (N): a force of
-/// zero would never receive anything.
+/// Force with which a spring that may give no energy any more meets a hand that presses in (N): with a force
+/// of zero it would never receive any energy.
 constexpr double min_force = 0.1;
 static_assert((active_bins - 2) * active_bin_ticks == ticks(1));
 
-/// Largest work of the active sources from any tick of the bins until now (J). The oldest bin counts less and
-/// less while the newest is being filled.
+/// Largest work that active sources have done from any moment of the last second until now (J). The work is
+/// summed in bins of 50 ticks. The oldest bin counts less and less while the newest is being filled, so that
+/// the result does not jump.
 double max_active_work(const PassivityObserver& observer) {
     const std::size_t oldest = (observer.active_bin + 1) % active_bins;
     double most = 0, later = 0;
@@ -45,7 +47,8 @@ void add_active_work(PassivityObserver& observer, double work) {
     observer.active[observer.active_bin] = {};
 }
 
-/// Takes the energy that the springs gave in a tick (J; negative: received) from their reserve.
+/// Takes the energy that the springs gave to the hand in a tick (J; negative: received) from the reserve, the
+/// energy that they may still give.
 void use_reserve(PassivityObserver& observer, double given, double stored) {
     if (observer.held_back == 0) return;
     const double most = stored + std::clamp(reserve_energy - observer.created, 0.0, reserve_energy);
@@ -118,8 +121,8 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
 }
 
 double fade_energy(const PassivityObserver& observer) {
-    // The springs may still give their reserve, so it counts as given. Energy that the springs received since
-    // the last switch does not raise the result above `switch_energy`.
+    // The springs may still give their reserve to the hand, so it counts as given. Energy that they received
+    // since the last switch does not raise the fading offset's work above `switch_energy`.
     const double passive = reserve_energy + switch_energy - (observer.created + observer.reserve);
     const double active =
         switch_energy * (active_budget - observer.active_work) / (fading_share * active_budget);
@@ -131,7 +134,8 @@ double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, 
     const double size2 = glm::dot(force, force);
     const double outward = size2 > 0 ? glm::dot(force, step) / std::sqrt(size2) : 0;
     if (!(outward > 0)) return steady_change;
-    constexpr double least = 0.001;  // energy below which the force does not fall faster still (J)
+    // Smallest energy that counts as left to be created (J): it bounds how fast the force falls.
+    constexpr double least = 0.001;
     const double left = std::max(least, max_slow_creation - observer.created - std::max(0.0, pending));
     return std::max(steady_change, (size2 / (2 * left) - stiffness) * outward);
 }
@@ -143,8 +147,8 @@ void hold_back(PassivityObserver& observer) {
 }
 
 void forgive(PassivityObserver& observer, bool springs_pull) {
-    // Time constants of forgetting (s): `soon` for created energy beyond twice the reserve, `slowly` for all
-    // of it while the hand feels no spring.
+    // Time constants of forgetting (s): `soon` for created energy beyond twice `reserve_energy`, `slowly` for
+    // all created energy while the hand feels no spring.
     constexpr double soon = 2, slowly = 20;
     observer.created -= std::max(0.0, observer.created - 2 * reserve_energy) * (tick_seconds / soon);
     if (!springs_pull) observer.created -= std::max(0.0, observer.created) * (tick_seconds / slowly);
@@ -171,9 +175,9 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
 }
 
-// The safety stage's cap and heat limit scale all sources alike. The fading offset that passive sources left
-// returns energy that was received and hardly any more, since the reserve limits it. It is therefore passive,
-// like the controller's brake.
+// The safety stage's cap and heat limit scale all sources alike. The offset that fades after a jump is
+// passive where passive sources left it, like the controller's brake: it returns energy that was received and
+// hardly any more, since the springs' reserve limits it.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested, vec3 active_offset) {
     const vec3 wanted = passive + active;
@@ -224,7 +228,7 @@ double within_cap(double energy, double stretch, double cap) {
     return cap * stretch * (1 - cap / (2 * pull));
 }
 
-/// Energy of the tether's spring, without its detents (J).
+/// Energy of the tether's spring, without its detents, the places into which the tip snaps (J).
 double tether_energy(const Tether& tether, vec3 tip, double cap) {
     if (!(tether.stiffness > 0)) return 0;
     const vec3 off = tip - tether.anchor;
@@ -247,7 +251,8 @@ double spring_energy(const ServoState& state, const HapticModel& model, const Te
     return held;
 }
 
-/// Most energy that surfaces and detents hold (J).
+/// Upper bound of the energy that surfaces and the tether's detents (places into which the tip snaps) hold
+/// (J).
 double other_energy(const Tether& tether, const SurfaceForces& surfaces, double cap) {
     const double notches = tether.stiffness > 0 ? tether.detents.depth * tether.detents.width / pi : 0;
     return notches + (surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap));
@@ -278,9 +283,10 @@ double energy_of_output(const Servo& servo, const SafetyState& safety) {
     return glm::dot(safety.output, safety.output) / (2 * servo.max_stiffness);
 }
 
-/// Limits the springs, which pull with `pull` (N), to the largest force that their reserve allows. Returns
-/// this limit (N). Unless it `may_jump`, the limit moves slowly: in a tick by at most `fall` (N) down or
-/// `reserve_step` up, beyond what the force of a spring changes while the tip moves by `moved` (m).
+/// Limits the springs, which pull with `pull` (N), to the largest force that their reserve, the energy that
+/// they may still give, allows. Returns this limit (N). Unless it `may_jump`, the limit moves slowly: in a
+/// tick by at most `fall` (N) down or `reserve_step` up, beyond what the force of a spring changes while the
+/// tip moves by `moved` (m).
 double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, bool may_jump, double fall,
                         vec3 moved, Sources& sources) {
     const vec3 step = tip_motion(state, servo.quantum);
@@ -301,7 +307,7 @@ double limit_to_reserve(const Servo& servo, const ServoState& state, double pull
 
 /// Energy that the tether will create until the force of this tick has acted (J). The device delays every
 /// force and holds it for a tick, while the spring already relaxes. In that time, a hand at 2 m/s crosses the
-/// whole stretch that the force of a Falcon allows.
+/// whole stretch that the largest force of a Falcon (a small device of 8 N) allows.
 double expected_creation(const Servo& servo, const PassivityObserver& observer, const Tether& tether,
                          const Tip& tip) {
     if (!(tether.stiffness > 0)) return 0;
@@ -313,16 +319,17 @@ double expected_creation(const Servo& servo, const PassivityObserver& observer, 
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
-/// Energy that the passivity controller takes out in this tick (J). Springs that the reserve holds back after
-/// a switch give no more than the reserve.
+/// Energy that the brake, the damping of the passivity controller, takes out of the hand in this tick (J).
+/// While a reserve holds springs back after a switch, they can give the hand no more than the reserve,
+/// whatever they hold.
 double energy_to_take_out(const PassivityObserver& observer, double held) {
     if (observer.held_back == 0) return surplus(observer, held);
     return surplus(observer, std::min(held, observer.reserve)) * (tick_seconds / repayment_time);
 }
 
-/// Largest damping of the passivity controller (N s/m). A step of one encoder count in a tick reads as a
-/// velocity, and damping turns it into a force. A force above `max_of_a_count` would shake a tip that hardly
-/// moves. In a faster motion one count matters less, so the damping may be larger.
+/// Largest damping with which the passivity controller brakes the hand (N s/m). A step of one encoder count
+/// in a tick reads as a velocity, and damping turns it into a force. A force above `max_of_a_count` would
+/// shake a tip that hardly moves. In a faster motion one count matters less, so the damping may be larger.
 double controller_damping(const Servo& servo, vec3 velocity) {
     constexpr double max_of_a_count = 0.28;  // largest force that one count may cause (N)
     if (!(servo.quantum > 0)) return servo.max_damping;
@@ -331,7 +338,7 @@ double controller_damping(const Servo& servo, vec3 velocity) {
     return std::min(servo.max_damping, max_of_a_count / of_a_count * counts);
 }
 
-/// Brake that takes the energy `taken` (J) out of a hand that feels the sources (N).
+/// Brake (damping force) that takes the energy `taken` (J) out of a hand that feels the sources (N).
 vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const Sources& sources) {
     PassivityObserver& energy = state.energy;
     if (!(taken > 0) && energy.brake == vec3(0)) return vec3(0);
@@ -348,8 +355,9 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
     return steady_brake(energy, brake, held_back ? sources.springs : sources.passive, state.safety.output);
 }
 
-/// Limits the change of the force after a switch, and holds the springs back until they are covered. In a
-/// tick in which they `may_give` more than before, and while they settle, the offset takes up every jump.
+/// Limits the change of the force after a switch, and holds the springs back until they hold no more energy
+/// than they received. The offset takes up every jump in a tick in which the springs `may_give` more than
+/// before, and while the primitives still move to their place after a switch.
 EnergyLimits limits_after_switch(const Servo& servo, ServoState& state, const Tip& tip, bool may_give,
                                  const HeldSprings& springs, Sources& sources) {
     PassivityObserver& energy = state.energy;
@@ -382,7 +390,7 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     double stored = (stopped ? held : springs) +
                     other_energy(tether, surfaces, stopped ? felt : servo.limits.cap) + fluid.stored;
     if (tip.stops) stored = std::max(stored, energy_of_output(servo, state.safety));
-    // A tethered hand touches no surfaces.
+    // A tethered hand touches no surfaces, so only the anchor, the tether's other end, moves.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     sources.active = within_budget(state.energy, sources.active);

@@ -39,19 +39,20 @@ struct CommandedForce {
     double share{};  ///< share of the force asked for by the sources that was commanded, 0 to 1
 };
 
-/// Length of a bin, in which the work of active sources is summed (ticks).
+/// Length of a bin, a span of time over which the work of active sources is summed (ticks).
 inline constexpr std::uint32_t active_bin_ticks = 50;
-/// Number of bins: those of one second, the bin being filled, and one older than a second that counts less
-/// and less. Without the last one, the force would jump when the work of a bin is forgotten.
+/// Number of bins, spans of 50 ticks in which the work of active sources is summed: those of one second, the
+/// bin being filled, and one older than a second that counts less and less. Without the last one, the force
+/// would jump when the work of a bin is forgotten.
 inline constexpr std::size_t active_bins = 22;
 
 /// Work of active sources in one bin.
 struct ActiveBin {
-    double sum{};   ///< work in the bin (J)
-    double most{};  ///< largest work from any of the bin's ticks to its end, at least 0 (J)
+    double sum{};   ///< work of active sources in the bin (J)
+    double most{};  ///< largest work of active sources from any tick of the bin to its end, at least 0 (J)
 };
 
-/// State of the passivity observer; no padding.
+/// State of the passivity observer, the account of the energy that sources gave the hand; no padding.
 struct PassivityObserver {
     vec3 position{};  ///< measured position at the last tick (m)
     /// Commanded forces, a ring buffer with the newest at `newest`.
@@ -62,17 +63,17 @@ struct PassivityObserver {
     double most_created{};  ///< largest value of `created` so far (J)
     /// Largest work of active sources from any tick of the last second until now (J).
     double active_work{};
-    std::array<ActiveBin, active_bins> active{};  ///< work of active sources, a ring of bins
+    std::array<ActiveBin, active_bins> active{};  ///< work of active sources in spans of 50 ticks, a ring
     /// Energy that springs may still give after a switch (a source of force came, ended or jumped), while
     /// `held_back` is 1 (J).
     double reserve{};
-    std::uint32_t active_bin{};    ///< index of the bin being filled
-    std::uint32_t active_tick{};   ///< ticks in the bin being filled
+    std::uint32_t active_bin{};    ///< index of the bin of `active` that is being filled
+    std::uint32_t active_tick{};   ///< number of ticks so far in that bin
     std::uint32_t newest{};        ///< index of the last command in `forces`
-    std::uint32_t has_position{};  ///< 1: `position` is the one of the last tick
-    std::uint32_t held_back{};     ///< 1: after a switch, the reserve limits the springs
-    std::uint32_t unsettled{};     ///< ticks left in which the primitives settle after a switch
-    vec3 brake{};                  ///< brake of the last tick (N)
+    std::uint32_t has_position{};  ///< 1: `position` was measured in the last tick; 0: it is unknown
+    std::uint32_t held_back{};     ///< 1: after a switch, springs give no more than `reserve`
+    std::uint32_t unsettled{};     ///< ticks left in which the sources' forces may still jump after a switch
+    vec3 brake{};                  ///< brake, the force that took out excess energy, in the last tick (N)
     double spring_force{};         ///< length of the springs' force in the last tick (N)
 };
 static_assert(sizeof(PassivityObserver) ==
@@ -96,51 +97,54 @@ inline constexpr double reserve_energy = 0.008;
 void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double stored, int latency,
              double supplied = 0);
 
-/// Tolerance of the passivity controller (J). If the springs gave back all the energy that they hold now,
-/// `created` would rise by it. The controller takes out at once the part of that sum above this tolerance.
+/// Tolerance of the passivity controller (J). If the springs gave back all the energy that they hold now, the
+/// created energy would rise by it. The controller takes out at once what this future sum has above the
+/// tolerance.
 inline constexpr double energy_slack = 0.003;
 
-/// Time constant with which the controller takes out energy that a switch created (s). The reserve bounds
-/// that energy, so there is no haste, and a brake that took all of it at once would be a jump of the force.
+/// Time constant with which the passivity controller takes out energy that a switch (a jump of a source)
+/// created (s). The reserve bounds that energy, so there is no haste, and a brake that took all of it at once
+/// would be a jump of the force.
 inline constexpr double repayment_time = 0.1;
 
-/// Energy that the controller has to take out (J); 0 or less: none. `held` is the energy that springs hold,
-/// plus the energy that they will create before the next force acts (J). The controller must not wait until
-/// the springs have returned all of it: a damper at the device's limit takes out less energy than a stretched
-/// spring gives back.
+/// Energy that the passivity controller has to take out of the hand (J); 0 or less: none. `held` is the
+/// energy that springs hold, plus the energy that they will create before the next force acts (J). The
+/// controller must not wait until the springs have returned all of it: a damper at the device's limit takes
+/// out less energy than a stretched spring gives back.
 double surplus(const PassivityObserver& observer, double held);
 
 /// Force against the velocity (m/s) that takes out `energy` (J) within the next tick (N). Its damping is at
 /// most `most` (N s/m).
 vec3 passivity_control(double energy, vec3 velocity, double most);
 
-/// Largest change of the brake in a tick (N), and the same while springs are held back. The latter and
-/// `reserve_step` together stay below `steady_change`.
+/// Largest change of the brake in a tick (N): in general, and while springs are held back after a switch. The
+/// latter and `reserve_step` together stay below `steady_change`, the largest change of the output.
 inline constexpr double brake_step = 0.3, held_brake_step = 0.15;
 
-/// Moves the brake towards `wished`, the brake of the controller (N), by at most the step above, since a
-/// brake that began at once would be a jump. Against the force that it brakes, `braked` (N), the brake is at
-/// most as strong as that force. So it can cancel the force, but cannot pull a hand that leaves a wall back
-/// into the wall. In other directions a brake longer than `braked` ends by one step a tick. Where `braked` is
-/// zero, the last output (N) takes its place.
+/// Moves the brake, a damping force, towards `wished`, the one that the passivity controller asks for (N). It
+/// moves by at most `brake_step` or `held_brake_step`, since a brake that began at once would be a jump.
+/// Against the force that it brakes, `braked` (N), the brake is at most as strong as that force. So it can
+/// cancel the force, but cannot pull a hand that leaves a wall back into the wall. In other directions a
+/// brake longer than `braked` ends by one step a tick. Where `braked` is zero, the last output (N) takes its
+/// place.
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
 /// in every tick.
 double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 
-/// Limits the active force (N) to the budget. The force fades while the last fifth of the budget is used. The
-/// part against the motion, which does negative work, fades too: otherwise the force would jump whenever the
-/// hand turns.
+/// Limits the force of active sources, which may push the hand, to their budget of energy in a second (N).
+/// The force fades while the last fifth of the budget is used. The part against the motion, which does
+/// negative work, fades too: otherwise the force would jump whenever the hand turns.
 vec3 within_budget(const PassivityObserver& observer, vec3 active);
 
-/// Work that the fading offset of a switch may do now (J): less soon after other switches, so that the
-/// offsets of many switches together do no more than that of one, and less while the budget of active sources
-/// runs out.
+/// Work that the offset which hides a jump of the force may do on the hand now (J). It is less soon after
+/// other jumps, so that the offsets of many jumps together do no more than that of one, and less while the
+/// budget of active sources runs out.
 double fade_energy(const PassivityObserver& observer);
 
-/// Energy up to which the output changes slowly at a switch (J). Where it would create more, it changes
-/// faster.
+/// Energy up to which the output changes slowly at a switch (J). If a slow change would create more energy,
+/// the output changes faster.
 inline constexpr double max_slow_creation = 0.019;
 
 /// Largest change in a tick of a force that fades (N), beyond that of a spring with the device's `stiffness`
@@ -151,15 +155,16 @@ inline constexpr double max_slow_creation = 0.019;
 double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, double pending,
                       double stiffness);
 
-/// Begins a reserve at a switch. A reserve that is already running is not reduced.
+/// Begins a reserve, the energy that springs may still give after a switch. A reserve that is already running
+/// is not reduced.
 void hold_back(PassivityObserver& observer);
 
-/// Forgets a part of the created energy in a tick, while springs are held back. Created energy beyond twice
-/// `reserve_energy`, as after a device has lost its position, is forgotten within seconds. All of it is
-/// forgotten within tens of seconds if the springs do not pull at all.
+/// Forgets a part of the created energy, which passive sources gave in excess, in a tick while springs are
+/// held back. Created energy beyond twice `reserve_energy`, as after a device has lost its position, is
+/// forgotten within seconds. All of it is forgotten within tens of seconds if the springs do not pull at all.
 void forgive(PassivityObserver& observer, bool springs_pull);
 
-/// State of the springs after a switch.
+/// Energy and force of the springs after a switch (a jump of the force), when they may hold too much energy.
 struct HeldSprings {
     double energy{};  ///< energy that the springs hold (J)
     double pull{};    ///< length of the springs' force (N)
@@ -168,9 +173,9 @@ struct HeldSprings {
     bool may_lie_ahead{};
 };
 
-/// Ends the reserve once the springs hold no more energy than they received. For springs that do not pull,
-/// the reserve ends once `created` is about zero and they cannot push as soon as the hand moves. `stiffness`
-/// is the device's largest (N/m).
+/// Ends the reserve, the limit of the energy that springs give after a switch, once they hold no more energy
+/// than they received. For springs that do not pull, it ends once `created` is about zero and they cannot
+/// push as soon as the hand moves. `stiffness` is the device's largest (N/m).
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness);
 
 /// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is

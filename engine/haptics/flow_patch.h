@@ -19,7 +19,7 @@
 
 namespace thaum::haptics {
 
-inline constexpr int flow_nodes = 4;  ///< number of nodes along each axis
+inline constexpr int flow_nodes = 4;  ///< number of nodes of a flow patch along each axis
 inline constexpr std::size_t flow_substances = 3;
 
 /// The fluid at one place.

@@ -135,7 +135,8 @@ void feel_surface(const FluidTouch& fluid, FluidTouchState& state, double height
 
 // ---- flow -------------------------------------------------------------------------------------------------
 
-/// Drag coefficients of the equations (1) to (3) in fluid_touch.h (N s/m, bowl frame).
+/// Coefficients of the three drags of a flow on the ladle: viscosity, flow and resistance, equations (1) to
+/// (3) in fluid_touch.h (N s/m, bowl frame).
 struct Drags {
     double viscosity{}, flow{}, resistance{};
 };

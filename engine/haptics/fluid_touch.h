@@ -75,17 +75,17 @@
 
 namespace thaum::haptics {
 
-/// Strengths of the modes, 0 to 1.
+/// Strengths of the forces that a fluid gives the hand, 0 (off) to 1. Each force is called a mode.
 struct FluidModes {
     double viscosity{1}, flow{1}, resistance{1}, surface{1}, wall{1}, inertia{1}, recoil{1};
 };
 
-/// Name of a mode, and the member of FluidModes that holds its strength.
+/// Name of a mode (one kind of force by a fluid), and the member of FluidModes that holds its strength.
 struct FluidMode {
     std::string_view name;
     double FluidModes::*strength;
 };
-/// All modes. Their order is part of the log's format.
+/// All modes, the kinds of force that a fluid gives. Their order is part of the format of recorded matches.
 inline constexpr std::array<FluidMode, 7> fluid_modes{{{"viscosity", &FluidModes::viscosity},
                                                        {"flow", &FluidModes::flow},
                                                        {"resistance", &FluidModes::resistance},
@@ -104,8 +104,8 @@ struct BowlFrame {
 
 /// Coefficients of the fluid's drag on a ladle.
 struct LadleDrag {
-    double viscous{};  ///< coefficient `viscous` in equations (1) and (2) above, >= 0 (m)
-    double form{};     ///< coefficient `form` in equation (3) above, >= 0 (m^3/s)
+    double viscous{};  ///< `viscous` in (1), (2): drag per viscosity and speed, >= 0 (m)
+    double form{};     ///< `form` in (3): drag per density and relative speed, >= 0 (m^3/s)
     /// Mass of fluid that a push of the ladle moves (kg): the fluid's density divided by the peak of the
     /// kernel (1/m^3) over which the push is spread. For fluid::push with a radius r it is 32 pi / 105 r^3
     /// times the density. 0: the flow does not react, and no loop limits the drag.
@@ -118,7 +118,7 @@ struct LadleDrag {
 /// Surface of the fluid under the probe (the tip's place in the bowl) when the haptic model was made.
 struct BrewSurface {
     double height{};          ///< height h of the surface (m)
-    double velocity{};        ///< upward velocity (m/s)
+    double velocity{};        ///< upward velocity of the surface (m/s)
     double stiffness{};       ///< stiffness k of the surface's spring, >= 0 (N/m)
     double pop_through{};     ///< largest force on a probe that has not broken through the surface, >= 0 (N)
     double cling{};           ///< largest pull on a probe that has broken through the surface, >= 0 (N)
@@ -132,7 +132,7 @@ inline constexpr std::size_t wall_points = 8;
 /// rim down to the middle of the floor on the axis, and bends one way only. The inside is therefore convex,
 /// with one nearest place for every point. The first piece continues above the rim.
 struct BowlWall {
-    vec3 centre{};  ///< centre on the axis (m)
+    vec3 centre{};  ///< point on the bowl's axis from which heights are measured (m)
     /// Distance from the axis, and height above the centre (m); the first `points` are in use.
     std::array<vec2, wall_points> profile{};
     std::uint64_t points{};  ///< number of profile points; below 2: no wall
@@ -149,11 +149,11 @@ struct LadleMass {
     double damping{};
 };
 
-inline constexpr std::uint32_t fluid_period = 16;  ///< period of fluid steps (ticks)
+inline constexpr std::uint32_t fluid_period = 16;  ///< time between two steps of the fluid (ticks)
 /// Largest gain of the loop from the hand through the fluid back to the hand (see the top of this file).
 inline constexpr double loop_gain = 0.4;
 
-/// Fluid part of the haptic model.
+/// Fluid part of the haptic model: what the servo knows about the fluid, its surface and its bowl.
 struct FluidTouch {
     /// 0: no fluid. The number changes when the fluid appears or jumps. The safety stage then fades the force
     /// from the old to the new one.
@@ -164,16 +164,16 @@ struct FluidTouch {
     BrewSurface surface{};
     BowlWall wall{};
     LadleMass ladle{};
-    FlowPatch older{}, newer{};  ///< patches of the two newest fluid steps
-    std::uint64_t step_age{};    ///< ticks since `newer` was added, 0 in the first tick
+    FlowPatch older{}, newer{};  ///< flow around the tip after the two newest fluid steps
+    std::uint64_t step_age{};    ///< ticks since the flow patch `newer` was taken, 0 in the first tick
 };
 static_assert(sizeof(FluidTouch) == 58 * sizeof(double) + 2 * sizeof(FlowPatch), "no padding");
 
-/// Adds the patch of a new fluid step: `newest` becomes `newer` and the patch before it `older`. The first
-/// patch becomes both.
+/// Adds the flow patch (flow around the tip) of a new fluid step: `newest` becomes `newer` and the patch
+/// before it `older`. The first patch becomes both.
 void add_fluid_step(FluidTouch& fluid, const FlowPatch& newest);
 
-/// State of the fluid forces; no padding. All zero without a fluid.
+/// State of the forces by a fluid; no padding. All zero without a fluid.
 struct FluidTouchState {
     /// Sum of viscosity (1), flow (2) and resistance (3) on the hand, before the limits by energy budget,
     /// largest allowed force and heat of the motors (N).
@@ -183,23 +183,24 @@ struct FluidTouchState {
     vec3 wall{};                            ///< force of the wall on the hand, equation (5) (N)
     vec3 mass_position{}, mass_velocity{};  ///< position and velocity of the ladle's own mass (m, m/s)
     double surface_force{};   ///< upward force of the surface, equation (4), in the bowl frame (N)
-    double surface_height{};  ///< height h of the surface that was used (m)
+    double surface_height{};  ///< height h of the surface at which `surface_force` acted (m)
     /// Energy that the flow gives by its resistance (3) in the coming tick, at the hand's scale (J).
     double flow_work{};
     double immersed{};  ///< immersed share of the ladle, 0 to 1
     /// FluidTouch::number of the last tick; 0: there was no fluid. If the present number differs, the fluid
     /// has appeared, ended or jumped.
     std::uint64_t number{};
-    std::uint32_t inside{};  ///< BrewSurface::inside of the last tick
-    std::uint32_t begun{};   ///< 0: the ladle's mass and the surface have no values of an earlier tick
+    std::uint32_t inside{};  ///< 1: the probe had broken through the surface in the last tick
+    std::uint32_t begun{};   ///< 0: the fluid is new, so mass and surface have no earlier values
 };
 static_assert(sizeof(FluidTouchState) == 5 * sizeof(vec3) + 5 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
 /// Motion of the tip, and limits for its forces (device frame).
 struct FluidTip {
     vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s)
-    std::uint32_t model_age{};    ///< age of the model (ticks)
-    double max_damping{};         ///< largest damping that the device renders (N s/m)
+    /// Ticks since the haptic model, from which the forces are computed, was made.
+    std::uint32_t model_age{};
+    double max_damping{};  ///< largest damping that the device renders (N s/m)
 };
 
 /// Forces on the hand (N), and energies for the passivity observer, which checks that passive forces create
@@ -223,9 +224,10 @@ FluidForces feel_fluid(const FluidTouch& fluid, FluidTouchState& state, const Fl
 /// Force of the flow on the ladle as commanded in the last tick (N, bowl frame). The fluid gets the opposite.
 vec3 force_on_ladle(const FluidTouch& fluid, const FluidTouchState& state);
 
-/// Force (1) + (2) + (3) on a ladle at full strengths, without any limit by a device (N, bowl frame). It
-/// equals force_on_ladle if all strengths are full and the device can render them. A world whose hands may
-/// feel less of this force, or nothing, gives the opposite of it to the fluid.
+/// Sum of the forces of viscosity (1), flow (2) and resistance (3) on a ladle at full strengths, without any
+/// limit by a device (N, bowl frame). It equals force_on_ladle if all strengths are full and the device can
+/// render them. A world whose hands may feel less of this force, or nothing, gives the opposite of it to the
+/// fluid.
 vec3 full_drag(const FluidTouch& fluid, vec3 place, vec3 velocity, double immersed,
                std::uint32_t model_age = 0);
 

@@ -77,7 +77,7 @@ enum class FieldKind : std::uint32_t { scalar, vector };
 inline field::AnyField any_field(field::ScalarField field) { return {.scalar = field}; }
 inline field::AnyField any_field(field::VectorField field) { return {.vector = field}; }
 
-/// A kind of mode, as its .cpp registers it.
+/// A kind of haptic mode (a way to feel a field), as its .cpp file registers it.
 struct Mode {
     std::string_view name{};      ///< name of the mode, such as "follow"
     std::string_view about{};     ///< description for a menu of what the hand feels
@@ -99,20 +99,20 @@ struct Mode {
 /// Registers a mode when the program starts.
 using ModeRegistration = Registration<Mode>;
 
-/// All modes, sorted by name.
+/// All kinds of haptic modes, sorted by name.
 inline std::span<const Mode> modes() { return registry_of<Mode>().all(); }
 
-/// Mode of this name; null if there is none.
+/// The haptic mode of this name; null if there is none.
 inline const Mode* find_mode(std::string_view name) { return registry_of<Mode>().find(name); }
 
-/// Modes that read fields of this kind, sorted by name.
+/// Haptic modes that read fields of this kind, sorted by name.
 std::vector<const Mode*> modes_for(FieldKind kind);
 
 /// A mode and the filter through which it reads a field.
 struct ModeOffer {
     const Mode* mode{};
-    std::optional<field::FilterKind> through{};  ///< filter before the mode; std::nullopt: the mode reads the
-                                                 ///< field itself
+    /// Filter whose result the mode reads, such as the field's gradient; std::nullopt: it reads the field.
+    std::optional<field::FilterKind> through{};
 };
 
 /// All ways to feel a field of this kind. First come the modes that read the field itself. Then come those
@@ -146,8 +146,8 @@ struct Direction {
 /// Length and direction of `v`.
 Direction direction_of(vec3 v) noexcept;
 
-/// Direction and length of (curl V) x V, which points towards the core of a vortex. Paper 001, eq. 2, without
-/// its minus sign, which would point away from the core.
+/// Direction and length of (curl V) x V, which points towards the core of a vortex. This is eq. 2 of Lundin
+/// and others 2007 without its minus sign, which would point away from the core.
 Direction towards_core(const field::Vector& here) noexcept;
 
 /// Value of a transfer function at x as a strength (N): clamped to +- primitive_limit, and 0 if x or the

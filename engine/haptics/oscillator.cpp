@@ -37,7 +37,7 @@ Response by_series(double x, double q) {
     Response r{.t = 1, .s = 1, .s1 = 0.5, .s2 = 1.0 / 6};
     double before = 0, term = 1, factor = 0;
     for (std::size_t n = 1; n <= max_terms; ++n) {
-        factor += 2 * x;  // equals 2 x n now
+        factor += 2 * x;  // the factor is 2 x n now
         const double next = -(factor * term + q * before) * reciprocals.term[n];
         before = term;
         term = next;
@@ -102,7 +102,7 @@ Twofold product(double a, double b) {
 struct Scaled {
     double x{}, q{};
     double z{};          ///< x^2 - q
-    double x_rounded{};  ///< rounding error of x: exact product minus x
+    double x_rounded{};  ///< rounding error of x: the exact product decay t minus x
 };
 
 // value of x = decay t from which the rounding of x^2 matters to z = x^2 - q

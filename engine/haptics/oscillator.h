@@ -17,7 +17,7 @@
 
 namespace thaum::haptics {
 
-/// Constants of a damped oscillator (the equation above).
+/// Constants of a damped oscillator, x'' + 2 decay x' + frequency2 x = 0.
 struct Oscillator {
     double decay{};  ///< damping / (2 mass), >= 0 (1/s)
     /// Stiffness / mass, the square of the undamped angular frequency, >= 0 (1/s^2).
@@ -32,9 +32,9 @@ constexpr Oscillator oscillator(double mass, double damping, double stiffness) {
 /// S(t), the motion after a start with unit velocity, and its first and second integral from 0 to t.
 struct Response {
     double t{};   ///< time (s)
-    double s{};   ///< S(t) (s)
-    double s1{};  ///< first integral of S (s^2)
-    double s2{};  ///< second integral of S (s^3)
+    double s{};   ///< S: displacement at t after a start with unit velocity (s)
+    double s1{};  ///< S1: integral of S from 0 to t (s^2)
+    double s2{};  ///< S2: integral of S1 from 0 to t (s^3)
 };
 
 /// Computes S and its integrals at t >= 0. NaN if sqrt(frequency2) t is above 1e9. The relative error of each
@@ -43,7 +43,7 @@ struct Response {
 /// error is relative to the amplitude.
 Response response(Oscillator o, double t);
 
-/// The derivative S'(t).
+/// Derivative of S at t: the velocity of an oscillator that started with unit velocity.
 constexpr double slope(Oscillator o, const Response& r) {
     return 1 - 2 * o.decay * r.s - o.frequency2 * r.s1;
 }

@@ -31,7 +31,7 @@ struct SteadyForce {
 /// Number of pulses that can play at once. A further pulse replaces the oldest one, which is a switch.
 inline constexpr std::size_t pulses_at_once = 4;
 
-/// A pulse that has begun.
+/// A pulse (kick) that has begun.
 struct PlayingPulse {
     vec3 peak{};
     std::uint32_t length{};

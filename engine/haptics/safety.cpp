@@ -16,32 +16,34 @@
 namespace thaum::haptics {
 namespace {
 
-// SafetyLimits::excess as a multiple of the device's peak.
+// Largest force that a correct source asks for (SafetyLimits::excess), as a multiple of the device's peak.
 constexpr double excess_over_peak = 4;
-// SafetyLimits::spring_excess as a multiple of the device's peak. A small thing caught behind a corner
-// stretches the lift wand's spring to 125 N before it slips away. That is 38 times the peak of a Touch. Such
-// a force is clipped and is no fault.
+// Largest force that a tether may ask for (SafetyLimits::spring_excess), as a multiple of the device's peak.
+// A small thing caught behind a corner stretches the lift wand's spring to 125 N before it slips away. That
+// is 38 times the peak of a Touch. Such a force is clipped and is no fault.
 constexpr double stretched_over_peak = 50;
 /// Continuous force of a device that does not specify it, as a share of its peak. The smallest share of the
 /// devices that do: a Premium holds 1.4 of 8.5 N, a Touch 0.88 of 3.3 N, a Falcon 3 of 8 N.
 constexpr double unknown_continuous = 0.16;
-constexpr double switching_slew = 40;  // rate at which the offset of a switch fades (N/s)
+constexpr double switching_slew = 40;  // rate at which the offset that hides a jump fades (N/s)
 // Speed limit (m/s). A simulated hand that is flung across a Touch reaches 3.8 m/s, across a Premium 4.5 m/s.
 // The limit is our choice; it has no source.
 constexpr double fastest_hand = 4;
 constexpr auto ramp_length = static_cast<std::uint32_t>(ticks(ramp_seconds));
-// Ticks below half the speed limit before an over-speed cut ends.
+// Ticks that the tip must stay below half the speed limit until a force that was cut because of speed
+// returns.
 constexpr std::uint32_t calm_ticks = 100;
 // Excess is a wanted force beyond what any correct source asks for. Ticks with excess belong to one episode
 // until so many ticks in a row have none.
 constexpr std::uint32_t apart_ticks = 20;
-constexpr std::uint32_t episode_ticks = 10'000;  // ticks after which an episode is forgotten
-constexpr std::uint32_t bin_ticks = 500;         // length of a bin of heat (ticks)
+constexpr std::uint32_t episode_ticks = 10'000;  // ticks after which an episode of excess is forgotten
+// Length of a bin, over which the squared force is summed as heat (ticks).
+constexpr std::uint32_t bin_ticks = 500;
 // Tolerance for the end of a fade. Without it, rounding may make a fade one tick too long.
 constexpr double almost_there = 1 + 1e-9;
-// Shares of the thermal budget that a burst (a short force above the sustained one) may use. From the first
-// share on the force is reduced; at the second one the burst is over. The rest of the budget is for a hand
-// that presses on.
+// Shares of the thermal budget (the heat that the motors bear in 10 s) that a burst, a short force above the
+// sustained one, may use. From the first share on the force is reduced; at the second one the burst is over.
+// The rest of the budget is for a hand that presses on.
 constexpr double warm_from = 0.8, burst_until = 0.9;
 // Time constant with which a force reduced by heat rises to the largest force that can be sustained (s).
 constexpr double rise_time = 0.5;
@@ -101,7 +103,8 @@ void count_excess(const SafetyLimits& limits, SafetyState& state, const SafetyIn
     state.excess_ticks = apart_ticks;
 }
 
-/// Returns true while the hand is too fast, or was too fast and has not calmed down.
+/// Returns true while the force must be zero because of speed: the hand is too fast, or was too fast and has
+/// not calmed down.
 bool update_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     const double net = glm::length(input.velocity);
     if (!(net <= limits.max_speed && input.path_speed <= limits.max_speed)) {
@@ -114,16 +117,16 @@ bool update_speed(const SafetyLimits& limits, SafetyState& state, const SafetyIn
     return true;
 }
 
-/// Returns true if the model is stale. The ticks of the ramp are counted here, not taken from the model's
-/// age: the age may jump, but the ramp must start at its beginning.
+/// Returns true if the haptic model is stale. Counts the ticks of a ramp of the force to zero. They are not
+/// taken from the model's age: the age may jump, but the ramp must start at its beginning.
 bool update_ramp(SafetyState& state, const SafetyInput& input) {
     const bool stale = input.model_age > freshest_ticks;
     state.ramp_ticks = stale || !input.on ? std::min(state.ramp_ticks + 1, ramp_length) : 0;
     return stale;
 }
 
-/// Opens the start gate. The first force let through must be in range, so that no large force meets a player
-/// at the start (003).
+/// Opens the start gate, which holds back all force at first. The first force let through must be within the
+/// cap, so that no large force meets a player at the start.
 void update_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
     if (state.gate_open != 0 || !is_finite(wanted) || !(glm::length(wanted) <= limits.cap)) return;
     state.gate_open = 1;
@@ -149,8 +152,8 @@ SafetyCause process(const SafetyLimits& limits, SafetyState& state, const Safety
 
 // ---- heat -------------------------------------------------------------------------------------------------
 
-/// Heat of the thermal window (N^2 s), the integral of the squared output. It covers up to one bin more than
-/// the window, never less: the oldest bin counts less and less while the newest is being filled.
+/// Heat of the last 10 s (N^2 s), the integral of the squared output. It covers up to one bin more than that,
+/// never less: the oldest bin counts less and less while the newest is being filled.
 double heat_of(const SafetyState& state) {
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
     double sum = 0;
@@ -214,15 +217,16 @@ void add_heat(SafetyState& state, vec3 force) {
 
 // ---- force ------------------------------------------------------------------------------------------------
 
-/// Length by which the offset fades in a tick (N). The less work offsets may still do, the faster it fades.
+/// Length by which the offset that hides a jump of the force fades in a tick (N). The less work offsets may
+/// still do, the faster it fades.
 double fade_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double used = 1 - std::clamp(input.fade_energy / switch_energy, 0.0, 1.0);
     return (limits.slew + used * std::max(0.0, cap_slew - limits.slew)) * tick_seconds;
 }
 
-/// Sets the offset to the difference between the last output and the goal, so that the output makes no jump.
-/// The last output is cut to `most` (N), which it exceeds if the cap has been lowered. The part of the offset
-/// that active sources left is known from their parts of both.
+/// Sets the offset to the difference between the last output and the goal (the force that the sources now
+/// want), so that the output makes no jump. The last output is cut to `most` (N), which it exceeds if the cap
+/// has been lowered. The part of the offset that active sources left is known from their parts of both.
 void take_up(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     state.remnant = shortened(state.output, most);
     state.offset = state.remnant - goal;
@@ -232,11 +236,11 @@ void take_up(double most, SafetyState& state, vec3 goal, const SafetyInput& inpu
     state.active_offset = is_finite(active) ? active : vec3(0);
 }
 
-/// Adds the offset's work since the last tick. A step longer than any hand makes is a measurement error and
-/// does no work. While the springs have a reserve, the work of the offset counts as at most that of the whole
-/// output: if the offset gave way to a hand that presses in, the force would rise twice as steeply as that of
-/// the springs alone. The same holds in the tick in which an offset begins, since the last output did the
-/// work.
+/// Adds the work that the offset did on the hand since the last tick. A step longer than any hand makes is a
+/// measurement error and does no work. While the springs have a reserve, the work of the offset counts as at
+/// most that of the whole output: if the offset gave way to a hand that presses in, the force would rise
+/// twice as steeply as that of the springs alone. The same holds in the tick in which an offset begins, since
+/// the last output did the work.
 void add_fade_work(SafetyState& state, const SafetyInput& input, bool begins) {
     const vec3 step = input.tip - state.tip;
     double work = glm::dot(state.offset, step);
@@ -252,9 +256,9 @@ double work_of_offset(double length, const SafetyInput& input) {
     return std::clamp(input.fade_energy, std::min(of_spring, switch_energy), switch_energy);
 }
 
-/// Starts the fade of a switch; the output stays what it was. If another offset was still fading, the work of
-/// its last tick counts for the new one. Otherwise no offset would ever give way while every tick has a
-/// switch.
+/// Starts the fade of the offset that hides a jump of the wanted force; the output stays what it was. If
+/// another offset was still fading, the work that it did in its last tick counts for the new one. Otherwise
+/// no offset would ever give way while the force jumps in every tick.
 void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal,
                 const SafetyInput& input) {
     const bool goes_on = glm::length(state.offset) > fade_step(limits, input);
@@ -266,7 +270,8 @@ void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec
     if (goes_on) add_fade_work(state, input, true);
 }
 
-/// Lets the offset take up a jump of sources that settle after a switch. Its budget of work stays.
+/// Lets the offset take up a jump of sources that still settle after a switch. The work that the offset may
+/// do stays the same, so that such jumps give the hand no further energy.
 void settle(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     take_up(most, state, goal, input);
     state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
@@ -292,9 +297,9 @@ double part_that_hides(const SafetyState& state, vec3 goal) {
     return std::clamp(nearest + std::sqrt(std::max(0.0, room) / square), 0.0, 1.0);
 }
 
-/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than `SafetyInput::change`
-/// and a spring of the device's stiffness explain. If every share jumps farther, it is the share with the
-/// smallest jump.
+/// Smallest share of the offset, 0 to 1, with which the output does not jump. It does not jump if it changes
+/// by at most `SafetyInput::change` plus the change of a spring of the device's stiffness while the tip
+/// moves. If it jumps with every share, the result is the share with the smallest jump.
 double steady_part(const SafetyState& state, vec3 goal, const SafetyInput& input) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(input.stiffness > 0 && square > 0)) return 0;
@@ -317,8 +322,8 @@ vec3 without_offset(SafetyState& state, vec3 goal) {
     return goal;
 }
 
-/// Returns the force after a switch: the goal, which is never delayed, plus the fading offset. The offset
-/// only gets shorter.
+/// Returns the force after a switch: the goal (what the sources want, within the limits), which is never
+/// delayed, plus the fading offset. The offset only gets shorter.
 vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     if (input.settles && state.fade == static_cast<std::uint32_t>(Fade::over))
         state.fade = static_cast<std::uint32_t>(Fade::begins);
@@ -349,7 +354,8 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     return within;
 }
 
-/// Scales the last output, so that the ramp is linear from any start; the last factor is zero.
+/// The next output of a ramp to zero: the last output, times a factor that makes the ramp linear from any
+/// start. The last factor is zero.
 vec3 ramped_down(const SafetyState& state) {
     const auto left = static_cast<double>(ramp_length - state.ramp_ticks);
     return state.output * (left / (left + 1));
@@ -369,13 +375,15 @@ double max_of_ramp(const SafetyState& state, const SafetyInput& input) {
     return std::max(input.reserve_force, size - falls);
 }
 
-/// Whether a stopped force ramps to zero. If the hand is too fast, the force is zero at once.
+/// Whether a stopped force ramps to zero, as with an old model. If the hand is too fast, the force is zero at
+/// once.
 bool ramps(const SafetyState& state, SafetyCause cause) {
     return (cause == SafetyCause::stale || cause == SafetyCause::off) && state.fast_ticks == 0;
 }
 
-/// Moves the cap in use towards the player's, and returns the limits with it. Each move is a switch. To a
-/// lower cap, the cap in use falls from the last output, so that the force does not jump.
+/// Moves the cap in use, the largest allowed force, towards the player's, and returns the limits with it.
+/// Each move counts as a switch, so an offset fades the change. To a lower cap, the cap in use falls from the
+/// last output, so that the force does not jump.
 SafetyLimits with_moved_cap(SafetyLimits limits, SafetyState& state) {
     if (limits.cap != state.cap) state.fade = static_cast<std::uint32_t>(Fade::begins);
     const double lower = std::min(state.cap, glm::length(state.output)) - cap_slew * tick_seconds;

@@ -1,10 +1,10 @@
 // haptics/safety.h: the safety stage, the last one before every device, always on (HAPTICS.md,
 // "Safety").
 //
-// The device gets a finite force of at most the cap. The force changes slowly at a switch and keeps the
-// motors cool. It is zero if the model is stale, the hand is too fast, the player wants no forces, or the
-// panic key was pressed. The stage does not change the force in the world: a player with a low cap lifts as
-// much.
+// The device gets a finite force of at most the cap, the largest allowed force. At a switch (a source of
+// force comes, ends or jumps) the force changes slowly. It never heats the motors too much. It is zero if the
+// haptic model is stale, the hand is too fast, the player wants no forces, or the panic key was pressed. The
+// stage does not change the force in the world: a player with a low cap lifts as much.
 //
 // Forces that the player switches off ramp to zero in `ramp_seconds`, like those of a stale model, and
 // a cap that is lowered comes down by `cap_slew`. Only danger (panic, shut-off, a hand that is too
@@ -42,26 +42,27 @@
 
 namespace thaum::haptics {
 
-/// Constants of the safety stage.
+/// Constants of the safety stage, which limits the force for the device.
 struct SafetyLimits {
     /// Largest length of the output: the smaller of the device's peak and the player's own cap (N).
     double cap{};
     /// Largest force that a correct source asks for (N); asking for more repeatedly shuts the device off.
     double excess{};
-    double spring_excess{};  ///< such a limit for the force of a tether, which the world may stretch far (N)
-    double continuous{};     ///< limit of the output's root mean square over any thermal_window (N)
-    double slew{};           ///< rate at which the offset of a switch fades (N/s)
+    /// The same limit for the force of a tether, a spring that the world may stretch far (N).
+    double spring_excess{};
+    double continuous{};  ///< largest root mean square of the output over 10 s, for cool motors (N)
+    double slew{};        ///< rate at which the offset that hides a jump of the force fades (N/s)
     /// Speed of the tip beyond which the force is cut until the hand is slow again (m/s).
     double max_speed{};
 };
 
-inline constexpr double gentle_share = 0.45;  ///< default cap as a share of the device's peak
-inline constexpr double thermal_window = 10;  ///< length of the window for motor heat (s)
-/// Age up to which a model counts as fresh (ticks).
+inline constexpr double gentle_share = 0.45;  ///< default cap (largest force) as a share of the device's peak
+inline constexpr double thermal_window = 10;  ///< time over which the motors' heat is averaged (s)
+/// Age up to which a haptic model counts as fresh, so that its force is played in full (ticks).
 inline constexpr std::uint32_t freshest_ticks = 20;
-/// Largest work that the offsets of switches do on the hand (J).
+/// Largest work on the hand by the offsets that hide jumps of the force (J).
 inline constexpr double switch_energy = 0.01;
-/// Time in which the force of a stale model, or one that the player switches off, ramps to zero (s).
+/// Time in which the force ramps to zero if the haptic model is stale or the player wants no forces (s).
 inline constexpr double ramp_seconds = 0.05;
 /// Rate at which the output falls to a cap that was lowered, and at which an offset fades that may do no more
 /// work (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
@@ -81,55 +82,58 @@ SafetyLimits with_share(SafetyLimits limits, double share);
 /// caption for each.
 enum class SafetyCause : std::uint32_t {
     none,
-    capped,      ///< clipped to the cap
+    capped,      ///< clipped to the cap, the largest allowed force
     warm,        ///< scaled down to keep the motors cool
-    waiting,     ///< start gate: no output before the first wanted force in range
+    waiting,     ///< start gate: no output before sources first want a force within the cap
     stale,       ///< no fresh model: the force ramps to zero or is zero
-    over_speed,  ///< cut until the hand is slow
+    over_speed,  ///< the hand was too fast: the force is zero until it is slow
     off,         ///< the player wants no forces
-    shut_off,    ///< sources repeatedly asked for more than SafetyLimits::excess; until re-armed
-    panic,       ///< the panic key was pressed; until re-armed
+    /// Sources repeatedly wanted more than SafetyLimits::excess; until the player asks for forces again.
+    shut_off,
+    panic,  ///< the panic key was pressed; until the player asks for forces again
 };
 
 inline constexpr std::array<std::string_view, 9> safety_cause_names{
     "none", "capped", "warm", "waiting", "stale", "over_speed", "off", "shut_off", "panic"};
 
-/// Number of heat bins of half a second: those of the window, the bin being filled, and one that is older
-/// than the window and counts less and less. Without the last one, the force would jump up when half a second
-/// of heat is forgotten.
+/// Number of bins of half a second in which the squared force is summed as heat: those of the window of 10 s,
+/// the bin being filled, and one that is older than the window and counts less and less. Without the last
+/// one, the force would jump up when half a second of heat is forgotten.
 inline constexpr std::size_t thermal_bins = 22;
 
-/// Progress of a switch.
+/// Progress of the fade after a switch, a jump of the wanted force.
 enum class Fade : std::uint32_t {
-    over,     ///< the output is the wanted force
-    running,  ///< an offset is left
+    over,     ///< nothing fades: the output is the wanted force
+    running,  ///< an offset that hides a jump is still fading
     begins,   ///< the next force that is let through starts from the last output
 };
 
 /// State of the safety stage; no padding.
 struct SafetyState {
-    vec3 output{};                            ///< output of the last tick (N)
-    vec3 offset{};                            ///< fading remainder of the last switch (N)
-    vec3 active_offset{};                     ///< part of `offset` that active sources left (N)
-    vec3 unrequested{};                       ///< part of the output that no source asked for in its tick (N)
-    vec3 tip{};                               ///< measured position at the last tick (m)
-    double initial_offset{};                  ///< length of the offset at the switch (N)
-    double fade_work{};                       ///< work of the offset on the hand since the switch (J)
-    double fade_budget{};                     ///< largest work that this offset may do (J)
-    double cap{};                             ///< cap in use, above the player's while it falls to it (N)
+    vec3 output{};            ///< output of the last tick (N)
+    vec3 offset{};            ///< what is left of the offset that hides the last jump (N)
+    vec3 active_offset{};     ///< part of `offset` by sources that may push (N)
+    vec3 unrequested{};       ///< part of the output that no source asked for in its tick (N)
+    vec3 tip{};               ///< measured position at the last tick (m)
+    double initial_offset{};  ///< length of the fading offset when it began (N)
+    double fade_work{};       ///< work of the fading offset on the hand so far (J)
+    double fade_budget{};     ///< largest work of the fading offset on the hand (J)
+    double cap{};             ///< largest allowed force now; it falls to a lowered one slowly (N)
     std::array<double, thermal_bins> heat{};  ///< integral of the squared output, a ring of bins (N^2 s)
-    std::uint32_t tick{};                     ///< ticks in the bin being filled
-    std::uint32_t bin{};                      ///< index of the bin being filled
-    std::uint32_t gate_open{};                ///< 1 once a wanted force was within the cap
-    std::uint32_t fade{};                     ///< Fade
-    std::uint32_t fast_ticks{};               ///< ticks left before an over-speed cut may end
-    std::uint32_t latched{};                  ///< SafetyCause shut_off or panic; 0: none
-    std::uint32_t excess_ticks{};             ///< ticks left until more excess would start a new episode
-    std::uint32_t excess_count{};             ///< number of recent episodes of excess, at most two
-    std::uint32_t cause{};                    ///< SafetyCause of the last tick
+    std::uint32_t tick{};        ///< number of ticks so far in that bin of `heat` which is being filled
+    std::uint32_t bin{};         ///< index of the bin of `heat` that is being filled
+    std::uint32_t gate_open{};   ///< 1 once a wanted force was within the cap; until then no output
+    std::uint32_t fade{};        ///< progress of a fade, a value of Fade
+    std::uint32_t fast_ticks{};  ///< ticks of slow motion left until an over-speed cut ends
+    std::uint32_t latched{};     ///< why the force stays zero: SafetyCause shut_off or panic; 0: it does not
+    std::uint32_t excess_ticks{};  ///< ticks left until more excess would count as a new episode
+    /// Number of recent episodes of excess (far too large wanted force), at most two.
+    std::uint32_t excess_count{};
+    std::uint32_t cause{};  ///< why the last output was less than wanted, a SafetyCause
     /// Ticks without a fresh model or without the player's wish for forces, up to the end of the ramp.
     std::uint32_t ramp_ticks{};
-    std::array<std::uint32_t, 2> episodes{};  ///< ticks since each episode began, the older one first
+    /// Ticks since each recent episode of excess began, the older one first.
+    std::array<std::uint32_t, 2> episodes{};
     /// Output of the tick before the switch, shortened since then by as much as time shortens the offset (N).
     /// The offset may lead from the wanted force to this force, and no farther.
     vec3 remnant{};
@@ -142,18 +146,21 @@ struct SafetyInput {
     vec3 wanted{};  ///< force asked for by all sources (N, device frame)
     /// Part of `wanted` by the tether, a spring whose other end the world holds and may pull far away (N).
     vec3 spring{};
-    /// Damping force of the passivity controller, added to `wanted` after the cap has cut that (N).
+    /// Damping force that takes excess energy out of the hand (N, passivity controller). It is added to
+    /// `wanted` after the cap has cut that.
     vec3 brake{};
-    /// Part of `wanted` by active sources, and their part of the last output (N, haptics/energy.h).
+    /// Part of `wanted` by active sources (those that may push the hand), and their part of the last output
+    /// (N).
     vec3 active{}, last_active{};
     vec3 tip{};       ///< measured position (m, device frame)
     vec3 velocity{};  ///< measured velocity of the tip (m/s)
     /// Speed along the tip's path; a tip that vibrates in place is fast too (m/s).
     double path_speed{};
-    /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h). It limits a ramp to
-    /// zero too. Infinite: the springs are not held back.
+    /// Largest force of springs, by the energy that they may still give after a switch (N). It limits a ramp
+    /// to zero too. Infinite: the springs are not held back.
     double reserve_force{HUGE_VAL};
-    /// Work that offsets may still do (J); less than `switch_energy` soon after other switches.
+    /// Work that the offsets which hide jumps may still do on the hand (J); less than `switch_energy` soon
+    /// after other switches.
     double fade_energy{switch_energy};
     /// Largest stiffness of the device (N/m). A fading offset and the wanted force together change no faster
     /// than a spring of this stiffness and `change`. 0: no limit.
@@ -161,8 +168,8 @@ struct SafetyInput {
     /// Largest change of the output in a tick while an offset fades (N). The change that a spring of
     /// `stiffness` makes as the tip moves is allowed in addition.
     double change{steady_change};
-    std::uint32_t model_age{};  ///< ticks since the model was made
-    bool switched{};            ///< a source appeared or went, or the model jumped
+    std::uint32_t model_age{};  ///< ticks since the haptic model was made
+    bool switched{};            ///< a source of force appeared, ended or jumped
     /// The sources still settle after a switch: the offset takes up their jumps in this tick.
     bool settles{};
     bool on{true};  ///< the player wants forces

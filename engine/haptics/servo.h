@@ -3,8 +3,8 @@
 //     servo_step(servo, state, model, sample) -> force
 //
 // It runs inside the tick for simulated devices, and in a thread at 1 kHz for a real one. It takes no lock,
-// allocates nothing, opens no file and reads no clock. The model is its only knowledge of the world: a small
-// plain struct that the simulation makes in each tick. The cost therefore does not grow with the scene.
+// allocates nothing, opens no file and reads no clock. The haptic model is its only knowledge of the world: a
+// small plain struct that the simulation makes in each tick. The cost therefore does not grow with the scene.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -31,15 +31,15 @@ struct FrameMotion {
     vec3 spin{};      ///< angular velocity about the frame's origin (rad/s)
 };
 
-/// Haptic model that the simulation publishes in each tick.
+/// What the servo knows of the world; the simulation publishes it in each tick.
 struct HapticModel {
-    Pulse pulse{};  ///< newest pulse
+    Pulse pulse{};  ///< newest kick that the hand is to feel
     SteadyForce steady_force{};
     Tether tether{};
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< a panic key is down
     bool rearm{};   ///< the player asks for forces again after a panic or shut-off
-    /// Largest force chosen by the player (% of the device's peak); 0: the one of Servo::limits.
+    /// Largest force chosen by the player (% of the device's peak); 0: the cap of Servo::limits.
     std::uint8_t force_percent{};
     /// Changes when the primitives jump, not when they move smoothly. A jump is a switch, which the safety
     /// stage fades.
@@ -47,14 +47,16 @@ struct HapticModel {
     PrimitiveSet primitives{};  ///< primitives (m, device frame); usually empty, at no cost
     /// Spring and damper from the tip to the proxy on which the primitives act.
     ProxyCoupling coupling{.stiffness = 300};
-    SurfacePatch patch{};        ///< surfaces near the tip; usually empty, at no cost
-    FrameMotion frame_motion{};  ///< motion of the player's frame, which the patch's bodies include
+    SurfacePatch patch{};  ///< surfaces near the tip; usually empty, at no cost
+    /// Motion of the world as the player turns or walks; the bodies' motion includes it.
+    FrameMotion frame_motion{};
     /// Viscosity of the space around the tip, for a hand that draws a stroke (N s/m); usually 0, at no cost.
     /// At most the damping that the device renders takes effect.
     double viscosity{};
-    vec3 start{};                  ///< free place at which the proxy starts after a jump (m)
-    std::uint64_t patch_number{};  ///< changes when the patch jumps, which is a switch
-    FluidTouch fluid{};            ///< fluid around the tip; usually number 0, at no cost
+    vec3 start{};  ///< place in free space at which the proxy of the surfaces starts after a jump (m)
+    /// Changes when the patch is a new one, as after a teleport; the force is then faded.
+    std::uint64_t patch_number{};
+    FluidTouch fluid{};  ///< fluid around the tip; usually number 0, at no cost
     /// How far the field from which the primitives are made (such as a crystal that turns) has moved at the
     /// tip since the last model (m). While it is 0, the force on a hand that rests hardly changes
     /// (haptics/primitives/settling.h).
@@ -70,20 +72,20 @@ static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
                                              sizeof(FluidTouch),
               "no padding: the bytes of past models are hashed");
 
-/// What the servo gets in one tick besides the model itself: what the device measured, and the model's age.
+/// What the servo gets in one tick besides the haptic model: what the device measured, and the model's age.
 struct ServoSample {
     vec3 position{};            ///< measured position of the tip (m, device frame)
-    std::uint32_t model_age{};  ///< ticks since the model was made
+    std::uint32_t model_age{};  ///< ticks since the haptic model was made
 };
 
 /// Constants of the servo: what the device can do, and the limits of its force.
 struct Servo {
     SafetyLimits limits{};
-    /// Largest damping that the device renders (N s/m). It limits the passivity controller, a viscous space
-    /// and a fluid's drag; 0 switches them off.
+    /// Largest damping that the device renders (N s/m). It limits a viscous space, a fluid's drag, and the
+    /// brake that takes excess energy out of the hand; 0 switches them off.
     double max_damping{};
-    int latency{};     ///< delay of the device (ticks)
-    double quantum{};  ///< position per encoder count (m)
+    int latency{};     ///< delay from a measured position to the force computed from it (ticks)
+    double quantum{};  ///< motion of the tip per encoder count (m)
     /// Largest stiffness that the device renders (N/m). After a switch, springs that hold more energy than
     /// they received pull no harder than a spring of this stiffness with that energy; 0: no such limit.
     double max_stiffness{};
@@ -96,25 +98,27 @@ Servo servo_of(const DeviceSpec& spec, double share);
 /// device's peak; 0: those of the servo.
 SafetyLimits limits_of(const Servo& servo, std::uint32_t percent);
 
-/// Bodies of the patch of the last tick.
+/// Bodies that were near the tip (in the patch of surfaces) in the last tick. A touched body that is not
+/// among them is new, so its force may jump.
 struct SeenBodies {
     std::array<double, surface_body_capacity> stiffness{};  ///< contact stiffness of each body (N/m)
     std::array<std::uint32_t, surface_body_capacity> keys{};
     std::uint64_t count{};
 };
 
-/// State of the servo; no padding.
+/// What the servo remembers from tick to tick; no padding.
 struct ServoState {
     SafetyState safety{};
-    std::array<vec3, velocity_window> positions{};  ///< last samples, a ring buffer
+    std::array<vec3, velocity_window> positions{};  ///< last measured positions of the tip (m), a ring buffer
     std::array<PlayingPulse, pulses_at_once> pulses{};
-    vec3 proxy{};  ///< proxy of the primitives (m, device frame); at the tip without primitives
+    /// Place on which the primitives acted last (m, device frame); at the tip without primitives.
+    vec3 proxy{};
     std::uint32_t next_position{};
-    std::uint32_t samples{};     ///< number of samples so far, up to velocity_window
-    std::uint32_t last_pulse{};  ///< number of the newest pulse that was started
+    std::uint32_t samples{};     ///< number of measured positions so far, up to velocity_window
+    std::uint32_t last_pulse{};  ///< Pulse::number of the newest pulse that was started
     std::uint32_t next_pulse{};
     std::uint32_t primitives{};  ///< number of primitives that acted in the last tick
-    std::uint32_t set_number{};  ///< set_number of those primitives
+    std::uint32_t set_number{};  ///< HapticModel::set_number of the last tick; another one means a jump
     std::uint64_t steady_force_number{};
     std::uint64_t tether_number{};
     PassivityObserver energy{};
@@ -125,7 +129,7 @@ struct ServoState {
     std::uint64_t patch_number{};
     FluidTouchState fluid{};
     double viscosity{};   ///< viscosity of the space that acted in the last tick (N s/m)
-    Settling settling{};  ///< how far the proxy of the primitives may move in a tick
+    Settling settling{};  ///< limits of the motion of the primitives' proxy
     SeenBodies seen{};
 };
 static_assert(sizeof(ServoState) ==
@@ -136,15 +140,15 @@ static_assert(sizeof(ServoState) ==
 static_assert(sizeof(SeenBodies) ==
               surface_body_capacity * (sizeof(double) + sizeof(std::uint32_t)) + sizeof(std::uint64_t));
 
-/// Time constant with which the contact offset decays if nothing is in the way (s).
+/// Time constant with which ServoState::contact_offset decays if nothing is in the way (s).
 inline constexpr double contact_offset_decay = 0.3;
 
 /// Advances the servo by one tick. Returns the force for the device (N, device frame).
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);
 
-/// State for a device that is back after it was disconnected. It keeps the motors' heat, the latches and
-/// counters of the safety stage, the used part of the energy budget, and the number of the last pulse. The
-/// force starts at zero and grows slowly.
+/// State for a device that is back after it was disconnected. It keeps the motors' heat, the safety stage's
+/// counters and reasons for which the force stays zero, the used part of the energy budget, and the number of
+/// the last pulse. The force starts at zero and grows slowly.
 ServoState resumed(const ServoState& before);
 
 }  // namespace thaum::haptics

@@ -89,9 +89,10 @@ double standstill(const SlidePhase& s, double begin, double end, double directio
     return root(of, begin, end, direction > 0, -s.velocity / s.acceleration);
 }
 
-/// Returns the time at which a slide in `direction` first stops, or a negative number if it does not stop
-/// within the time of `whole`. The velocity turns at most once in so short a time. So there are three cases:
-/// the velocity changes sign; it dips below zero and comes back; it does neither.
+/// Returns the time at which a slide in `direction` first stops (s), or a negative number if it does not stop
+/// before the end of the tick, at which the oscillator's response is `whole`. The velocity turns at most once
+/// in so short a time. So there are three cases: the velocity changes sign; it dips below zero and comes
+/// back; it does neither.
 double stop_time(const SlidePhase& s, const Response& whole, double direction) {
     const bool crossed = s.velocity_at(whole) * direction < 0;
     const bool starts_by_falling = s.acceleration * direction < 0;
@@ -165,7 +166,7 @@ void advance(const SimulatedDevice& d, Axis& a) {
     move(a, {d, a.velocity, load(d, a) / d.mass, a.target_velocity}, d.tick);
 }
 
-/// Delays a command by `latency` ticks.
+/// Returns the command of `latency` ticks ago, and stores the new one.
 vec3 delayed(const SimulatedDevice& d, SimulatedState& state, vec3 command) {
     if (d.latency == 0) return command;
     auto& queue = state.commanded;

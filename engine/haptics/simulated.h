@@ -42,16 +42,16 @@ inline constexpr Hand no_hand{.mass = 0, .stiffness = 0, .damping = 0};
 
 /// Constants of a simulated device and the hand that holds it.
 struct SimulatedDevice {
-    double mass{};          ///< mass of mechanism and hand (kg)
-    double stiffness{};     ///< stiffness of the hand (N/m)
+    double mass{};          ///< mass of mechanism and hand, which move as one (kg)
+    double stiffness{};     ///< stiffness of the spring from the hand's target to the tip (N/m)
     double hand_damping{};  ///< damping between hand and target (N s/m)
     double damping{};       ///< damping between device and ground (N s/m)
     double friction{};      ///< dry friction on each axis (N)
-    double peak_force{};    ///< largest length of the force (N)
-    double quantum{};       ///< position per encoder count (m)
+    double peak_force{};    ///< largest length of the force that the device exerts (N)
+    double quantum{};       ///< motion of the tip per encoder count (m)
     vec3 reach{};           ///< half the edges of the workspace (m)
     double target_step{};   ///< largest motion of the target in a tick (m)
-    int latency{};          ///< delay of the force (ticks)
+    int latency{};          ///< delay from a command to its force (ticks)
     double dt{};            ///< length of a tick (s)
     Oscillator oscillator{};
     /// Response of the oscillator (mass on the hand's spring and the dampers) over one tick.

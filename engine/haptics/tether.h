@@ -14,7 +14,7 @@ inline constexpr std::size_t max_detents = 3;
 /// Notches along a line. Each draws the tip to its middle. They are the negative gradient of a potential, so
 /// they create no energy.
 struct Detents {
-    vec3 axis{};  ///< direction of the line through the tether's anchor (unit, device frame)
+    vec3 axis{};  ///< direction of the notches' line, which goes through the anchor (unit, device frame)
     /// Middle of each notch along the axis from the anchor (m).
     std::array<double, max_detents> places{};
     double depth{};  ///< largest force of a notch (N); 0: no notches
@@ -26,8 +26,8 @@ struct Detents {
 struct Tether {
     vec3 anchor{};           ///< point to which the tip is tied (m, device frame)
     vec3 anchor_velocity{};  ///< velocity of the anchor (m/s)
-    double stiffness{};      ///< stiffness (N/m); 0: no tether
-    double damping{};        ///< damping (N s/m)
+    double stiffness{};      ///< stiffness of the spring (N/m); 0: no tether
+    double damping{};        ///< damping between tip and anchor (N s/m)
     Detents detents{};
     std::uint64_t number{};  ///< changes when the tether appears, ends or jumps, which the safety stage fades
 };
@@ -35,12 +35,12 @@ struct Tether {
 /// Force of the tether on the tip (N), given the tip's velocity (m/s).
 vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity);
 
-/// Force of the detents along their axis (N), `along` metres from the anchor.
+/// Force of the detents (notches) along their axis (N), `along` metres from the anchor.
 double detent_force(const Detents& detents, double along);
 
 /// Tether and its force in one tick.
 struct TetherForce {
-    Tether tether{};  ///< the tether, with its anchor moved on to the present
+    Tether tether{};  ///< the tether; its anchor is moved on from the time of the haptic model to the present
     vec3 force{};     ///< force on the hand (N)
     bool switched{};  ///< the tether appeared, ended or jumped
 };

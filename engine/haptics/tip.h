@@ -14,9 +14,9 @@ inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip
 struct Tip {
     vec3 position{};      ///< measured position (m)
     vec3 velocity{};      ///< velocity over the last `velocity_window` ticks (m/s)
-    double path_speed{};  ///< speed along the path, see `path_speed` (m/s)
+    double path_speed{};  ///< speed along the path; also a tip that vibrates in place is fast (m/s)
     bool switched{};      ///< a source of force on the tip, such as a tether, appeared, ended or jumped
-    bool stops{};         ///< the haptic model is stale, or the player wants no forces
+    bool stops{};         ///< the force has to end: the haptic model is stale, or the player wants no forces
 };
 
 /// Stores a measured position of the tip. Returns it with the tip's motion. `quantum` is the device's

@@ -35,7 +35,8 @@ struct ArmTick {
 /// Facts about an open arm. An arm that can push in three degrees of freedom gets forces and no torques, even
 /// if it measures six.
 struct ArmFacts {
-    /// Values that are unknown, such as mass, friction or the smallest measured motion, are zero.
+    /// Properties of the device. Those that are unknown, such as mass, friction or the smallest measured
+    /// motion, are zero.
     haptics::DeviceSpec spec{};
     std::string serial{};
     std::string driver{};  ///< version of the vendor's library
@@ -44,7 +45,7 @@ struct ArmFacts {
 
 /// Model and serial number, such as "Touch F0000001".
 std::string name_of(const ArmFacts& facts);
-/// Edges of the box that the arm reports as its workspace (um); zero if unknown.
+/// Lengths of the edges of the box that the arm reports as its workspace (um); zero if unknown.
 std::array<std::uint32_t, 3> box_um(const ArmFacts& facts);
 /// Whether `word` names this arm: "arm" names any arm; otherwise its family, model, serial number, or model
 /// and serial number, in upper or lower case.
@@ -54,7 +55,7 @@ bool is_called(const ArmFacts& facts, std::string_view word);
 enum class ArmPresence : std::uint8_t {
     present,
     lost,   ///< the arm does not answer, or its ticks have stopped
-    fault,  ///< the arm reports a fault
+    fault,  ///< the arm reports a fault of its own, such as hot motors
 };
 
 /// State of an arm, for the user.

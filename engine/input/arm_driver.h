@@ -90,12 +90,12 @@ public:
     virtual ArmStatus status(ArmFault fault) const = 0;
 };
 
-/// Runs one tick of the arm that was started with this number: read, servo step, write. Returns false if the
-/// arm needs no more ticks. A call for an arm that was closed does nothing, so a vendor's library may call at
-/// any time.
+/// Runs one tick of the arm that was started with this number: reads the pose, computes the force (the servo
+/// step) and writes it. Returns false if the arm needs no more ticks. A call for an arm that was closed does
+/// nothing, so a vendor's library may call at any time.
 bool run_arm_tick(std::uint64_t ticks) noexcept;
 
-/// Description of a driver, which its .cpp registers.
+/// Description of a driver, which the driver's .cpp registers.
 struct ArmDriverKind {
     std::string_view name;   ///< short name, such as "openhaptics"
     std::string_view about;  ///< devices and requirements, for `thaum doctor`: at most one line

@@ -13,7 +13,8 @@ ArmTick ArmPlayback::tick() {
     return {step, this};
 }
 
-/// Puts the force of this tick into the haptic model. Returns false before the first force.
+/// Takes the force of this tick from the queue and puts it into the haptic model, from which the servo
+/// computes what the arm gets. Returns false before the first force.
 bool ArmPlayback::next() {
     if (const auto* force = forces_.front(); force != nullptr) {
         model_.steady_force = {.force = force->force,

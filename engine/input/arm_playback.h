@@ -46,12 +46,13 @@ public:
     vec3 step(const ArmReading& reading);
 
     /// Queues the force of the next tick (N, device frame); called by the one thread that supplies forces.
-    /// `jumps`: the force does not continue the last one. Returns false if the queue is full.
+    /// `jumps`: the force does not continue the last one, as after a jump in the recording. Returns false if
+    /// the queue is full.
     bool push(vec3 force, bool jumps) { return forces_.push({force, jumps}); }
     /// Number of forces in the queue.
     std::size_t waiting() const { return forces_.size(); }
-    /// Declares that no more forces follow. After the last one the force falls to zero, no faster than it may
-    /// change wherever one force ends and another begins (haptics/safety.h).
+    /// Declares that no more forces follow. After the last one the force falls to zero at a limited rate, as
+    /// it does at every jump between two forces (haptics/safety.h).
     void end() { ended_ = true; }
 
     /// Ends all force from the next tick on, permanently. Any thread may call it.

@@ -7,7 +7,8 @@ namespace {
 
 // Shortest interval between two poses; poses with less time between them count as the same pose (ns).
 constexpr std::int64_t shortest_tick_ns = 250'000;
-// Ticks without a newer pose after which an earlier time is accepted, because the clock was set back.
+// Ticks without a newer pose after which a pose with an earlier time is accepted. The device's clock was then
+// probably set back.
 constexpr std::uint32_t set_back_after = 20;
 constexpr double metres_per_um = 1e-6;
 

@@ -19,7 +19,8 @@ struct PoseFaults {
 /// The last valid pose of an arm, which stands in while measurements are missing.
 class ArmPose {
 public:
-    /// Takes the reading of a tick; called by the arm's thread.
+    /// Takes the reading of a tick: it becomes the last valid pose, or that pose ages. Called by the arm's
+    /// thread.
     void note(const ArmReading& reading);
     /// Whether there is a valid pose.
     bool known() const { return known_; }

@@ -7,9 +7,11 @@
 namespace thaum::input {
 namespace {
 
-// Largest age of a haptic model that may still give a force (samples).
+// Largest age at which the arm's thread still takes over a new haptic model (all that the servo knows of the
+// world) from the simulation (samples).
 constexpr std::uint32_t newest_samples = 40;
-// Ticks without a sample or a pose after which the arm counts as silent.
+// Number of ticks without a sample from the arm's thread after which the arm's buttons count as released, and
+// the run of samples as interrupted.
 constexpr std::uint32_t patience = 20;
 
 /// Buttons of the arm as buttons of the game. A stylus has one or two, the first at the finger. Other handles

@@ -5,8 +5,8 @@
 //     arm's thread: sample (measurement, model used) --> [queue] --> simulation: each tick takes the next one
 //
 // The simulation repeats the same steps with the same samples and models. Its forces therefore equal the
-// arm's to the bit, and so do those of a replay. Each step must start from the state of the step before. If
-// samples were lost, or the simulation has forgotten the model, both restart from a state that the
+// arm's to the bit, and so do the forces of a replay. Each step must start from the state of the step before.
+// If samples were lost, or the simulation has forgotten the model, both restart from a state that the
 // simulation chooses. This begins a new *epoch*. Until then the arm's force is that of an ageing model, so it
 // ramps to zero.
 //
@@ -23,7 +23,8 @@
 
 namespace thaum::input {
 
-/// Ticks for which the simulation remembers its haptic models. An older model gives no force.
+/// Ticks for which the simulation remembers the haptic models that it made (a haptic model is all that the
+/// servo knows of the world). An older one gives no force.
 inline constexpr std::uint32_t remembered_models = 80;
 
 /// Data from the simulation to the arm's thread, in each tick.
@@ -33,7 +34,7 @@ struct ArmOrder {
     vec3 offset{};  ///< displacement from the arm's tip to the hand that feels the haptic model (m)
     haptics::ServoState start{};  ///< servo state at the start of the epoch (a run of samples without a gap)
     std::uint32_t epoch{};  ///< number of the epoch, a run of samples without a gap; 0: before the first one
-    /// Number of the haptic model, from 1 in each epoch (a run of samples without a gap).
+    /// Number of the haptic model, counted from 1 in each epoch (a run of samples without a gap).
     std::uint32_t number{};
     /// Number of samples of this epoch (a run of samples without a gap) that the simulation had taken when it
     /// made the haptic model.
@@ -54,11 +55,13 @@ struct ArmSample {
 struct ArmFaults {
     PoseFaults poses{};
     std::uint64_t lost{};  ///< samples lost because the queue was full
-    /// Forces that the simulation computed differently, which is a bug of this program.
+    /// Forces for which the simulation came to another result than the arm's thread, which is a bug of this
+    /// program.
     std::uint64_t differing{};
 };
 
-/// Runs the servo step in an arm's thread and passes samples to the simulation.
+/// Computes the force of an arm from each measurement (the servo step), in the arm's thread, and passes
+/// measurement and force to the simulation as a sample.
 class ArmServo {
 public:
     /// Returns the function that the arm's driver calls in each tick.
@@ -72,11 +75,12 @@ public:
     /// Order (the newest haptic model and what belongs to it) for the arm's thread. The caller fills it with
     /// the values that ArmState describes, then calls `publish`.
     ArmOrder& order() { return orders_.to_fill(); }
-    /// Hands the filled order (the newest haptic model and what belongs to it) to the arm's thread.
+    /// Hands the order that the caller has filled (the newest haptic model and what belongs to it) to the
+    /// arm's thread.
     void publish();
-    /// Takes the next sample, with pose and age of the pose as counts (arm::Count). model_age is 0 if no
-    /// sample can be used. A positive `skips` means that samples of this epoch were lost or the model is
-    /// forgotten; then the simulation must begin a new epoch.
+    /// Takes the next sample, with pose and age of the pose as counts (arm::Count). In the result, model_age
+    /// (the age of the haptic model) is 0 if no sample can be used. A positive `skips` means that samples of
+    /// this epoch were lost or the simulation has forgotten the model; it must then begin a new epoch.
     DeviceSample take();
     /// Number of samples in the queue.
     std::size_t waiting() const { return samples_.size(); }
@@ -112,9 +116,10 @@ private:
 struct RememberedModel {
     haptics::HapticModel model{};
     vec3 offset{};  ///< displacement from the arm's tip to the hand that feels the haptic model (m)
-    /// Number of the haptic model, from 1 in each epoch (a run of samples without a gap).
+    /// Number of the haptic model, counted from 1 in each epoch (a run of samples without a gap).
     std::uint32_t number{};
-    /// Samples taken in the epoch (a run of samples without a gap) when the model was made.
+    /// Samples that the simulation had taken in the epoch (a run of samples without a gap) when it made the
+    /// model.
     std::uint32_t samples{};
 };
 
@@ -137,7 +142,7 @@ struct ArmState {
     std::uint32_t old_poses{};  ///< samples without a new measurement, since the start
     /// Epochs (runs of samples without a gap) that ended because samples were missing or lost.
     std::uint32_t gaps{};
-    std::uint32_t rests{};  ///< 1: the hand rests, however the arm moves
+    std::uint32_t rests{};  ///< 1: the hand stays where it is, however the arm moves
     std::uint32_t spare{};
 };
 static_assert(sizeof(ArmState) ==
@@ -147,7 +152,7 @@ static_assert(sizeof(ArmState) ==
 /// same servo state.
 void begin_epoch(ArmState& arm);
 
-/// Number of the haptic model with which a sample was made; 0: no sample.
+/// Number of the haptic model with which the arm's thread computed the force of a sample; 0: no sample.
 std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
 
 /// Repeats the servo step that the arm's thread made for a sample. `used` is the haptic model with the number

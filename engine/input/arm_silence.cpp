@@ -14,8 +14,8 @@
 namespace thaum::input {
 namespace {
 
-/// Signal that ends the process. The handler of the alarm sends it if another handler hangs in the vendor's
-/// library.
+/// Signal that ends the process. The handler of SIGALRM sends it if, a second after the alarm was set,
+/// another handler still hangs in the vendor's library.
 volatile std::sig_atomic_t ends_by = 0;
 /// Whether this thread is already in on_end, the handler of the signals that end the process.
 thread_local volatile std::sig_atomic_t ends_here = 0;
@@ -32,8 +32,8 @@ void wait_for_silence() noexcept {
 }
 
 /// Ends all forces after a fault of an arm's own servo thread. No other thread can end the force of that arm;
-/// the other arms end theirs in their own threads. If the driver hangs or fails again, the alarm ends the
-/// process.
+/// the other arms end theirs in their own threads. If the driver hangs or fails again, the alarm (SIGALRM)
+/// ends the process after a second.
 void end_as_arms_thread(int signal) noexcept {
     ends_by = signal;
     std::signal(SIGALRM, hung);

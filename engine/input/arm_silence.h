@@ -12,7 +12,7 @@ namespace thaum::input {
 /// Makes every arm exert no force from its next tick on, until `end_silence`. For any thread, also in a
 /// signal handler.
 void silence_arms() noexcept;
-/// Lets arms give forces again.
+/// Lets arms give forces again after `silence_arms`.
 void end_silence() noexcept;
 
 /// Calls silence_arms and waits, at most 0.2 s, until the zero force has been sent. Any thread may call it,

@@ -190,7 +190,8 @@ std::string words_of(const std::vector<Control>& controls, const KeyNames& names
 
 namespace {
 
-/// Lists those toggle_actions that are chosen, separated by commas.
+/// Names of the chosen ones among the actions that may stay on from one press to the next (toggle_actions),
+/// separated by commas.
 template <class Chosen>
 std::string toggle_words(Chosen chosen) {
     std::string words;

@@ -15,8 +15,9 @@
 
 namespace thaum::input {
 
-/// Actions that a control may trigger. The bits of Button come first, in their order, together with the
-/// actions that select a wand. The directions follow, and the last two actions turn the wheel.
+/// Actions that a control may trigger. First come those that act like a button, in the order of the enum
+/// Button, and among them those that select a wand. The directions of motion follow. The last two turn the
+/// mouse wheel.
 enum class Action : std::uint8_t {
     fire,
     jump,
@@ -127,8 +128,8 @@ using KeyNames = std::function<std::string(int)>;
 /// Names of all keys in the default bindings, so that a test can check that the window layer knows each.
 std::vector<std::string> default_key_names();
 
-/// Default bindings of keyboard_mouse, keyboard_half or pad. Other kinds have no controls. A key that `codes`
-/// does not know is left out.
+/// Default bindings of a kind of device: keyboard_mouse, keyboard_half (a second player's keys on the same
+/// keyboard) or pad. Other kinds have no controls. A key that `codes` does not know is left out.
 Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 
 /// Returns the bindings with the changes from a settings table:
@@ -140,8 +141,8 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 ///     trigger_press = 0.3
 ///     toggle = "trace, stir"                  # the toggle_actions that stay on until the next press
 ///
-/// An unknown name is reported at its key, which keeps its value; the Config's check
-/// then fails with file, line and key.
+/// An unknown name is reported at its key, and the action keeps the controls that it had. Config::check then
+/// returns the fault with file, line and key.
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
 
 /// Text that stands for an invalid list of controls. The reader uses it if the value in the settings is no

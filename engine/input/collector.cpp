@@ -10,8 +10,8 @@
 namespace thaum::input {
 namespace {
 
-// How far below the press of a trigger its release lies. This hysteresis keeps a trigger at its threshold
-// from flickering.
+// How far below the position that presses a trigger the one lies that releases it (share of its travel). This
+// hysteresis keeps a trigger at its threshold from flickering.
 constexpr double release_below_press = 0.1;
 constexpr unsigned latch_shift = 32;
 /// Wheel steps of a control that is held, per sample: the first step is at once, then there are 12 a second.
@@ -28,7 +28,7 @@ std::int64_t whole_steps(double amount, double& remainder) {
     return static_cast<std::int64_t>(whole);
 }
 
-/// Takes the part of `total` that was not taken before, as far as a sample can hold it.
+/// Returns the part of `total` that no earlier sample has taken, as far as a sample can hold it.
 std::int32_t take_new(const std::atomic<std::int64_t>& total, std::int64_t& taken) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     const auto amount = std::clamp(total.load(std::memory_order_relaxed) - taken, -most, most);
@@ -84,7 +84,7 @@ void HandsCollector::set_look(double gain, bool inverted) {
 }
 
 void HandsCollector::set_turn_ramp(double seconds) {
-    constexpr double most = 10;  // longest ramp (s), more than any useful one
+    constexpr double most = 10;  // longest slow start (s), more than any useful one
     const double length = std::isfinite(seconds) ? std::clamp(seconds, 0.0, most) : 0;
     ramp_ticks_.store(static_cast<std::uint32_t>(thaum::ticks(length)), std::memory_order_relaxed);
 }
@@ -242,9 +242,10 @@ std::uint8_t HandsCollector::newest_wand(std::uint32_t down) {
     return wand_;
 }
 
-/// Level of a turn during its slow start. A turn begins from rest or with a change of direction.
+/// Rate of a turn of the view (-127 to 127) during its slow start, from the rate that the control asks for. A
+/// turn begins from rest or with a change of direction.
 std::int32_t HandsCollector::ramped(std::int32_t level, Turn& turn) const {
-    constexpr double least = 0.3;  // share of its full level with which a turn begins
+    constexpr double least = 0.3;  // share of its full rate with which a turn begins
     if (level == 0) {
         turn.ticks = 0;
         return 0;
@@ -258,7 +259,8 @@ std::int32_t HandsCollector::ramped(std::int32_t level, Turn& turn) const {
     return grown != 0 ? grown : (level > 0 ? 1 : -1);
 }
 
-/// Whole wheel steps of a control that is held. Its first step was counted when it was pressed.
+/// Whole wheel steps to add in this sample for a control that is held. Its first step was counted when it was
+/// pressed.
 std::int32_t HandsCollector::held_wheel(std::int32_t way) {
     if (way != wheel_way_taken_) wheel_held_ = 0;
     wheel_way_taken_ = way;

@@ -31,7 +31,7 @@ struct FaderChange {
     std::uint8_t percent{};  ///< new value, 0 to 100, or force_as_rules: as in the data files
     bool operator==(const FaderChange&) const = default;
 };
-/// Whether the numbers are a valid change, or no change. Other numbers occur only in damaged logs.
+/// Whether the numbers are a valid change of a fader, or no change. Other numbers occur only in damaged logs.
 constexpr bool is_valid(const FaderChange& change) {
     if (change.fader == 0) return change.percent == 0;
     const bool force = change.fader == static_cast<std::uint8_t>(HandFader::force);
@@ -39,8 +39,9 @@ constexpr bool is_valid(const FaderChange& change) {
 }
 
 /// Kind of a device, which decides the meaning of `DeviceSample::counts`. `arm` is the stylus of a force
-/// feedback arm, whose counts are its pose (arm::Count). All others are hands, whose counts are motion and
-/// levels of mouse, keys or sticks (hand::Count).
+/// feedback arm, whose counts are its pose (arm::Count). `keyboard_half` is a second player's keys on the
+/// same keyboard. All kinds but `arm` are hands, whose counts are motion and levels of mouse, keys or sticks
+/// (hand::Count).
 enum class DeviceKind : std::uint8_t { keyboard_mouse, keyboard_half, pad, bot, script, arm };
 inline constexpr std::size_t device_kinds = 6;
 
@@ -75,7 +76,7 @@ enum Count : std::size_t {
 };
 }  // namespace arm
 
-/// Largest number in DeviceSample::wand.
+/// Largest number of a wand, in DeviceSample::wand.
 inline constexpr std::uint32_t max_wands = 9;
 
 /// Bits of DeviceSample::buttons. Their order is part of the log's format, so new ones go to the end. Bits 11
@@ -111,8 +112,8 @@ struct DeviceSample {
     /// value changes.
     bool away{};
     FaderChange change{};  ///< change of a fader for the forces at the hand that the player made in this tick
-    /// Age of the haptic model that the servo used (ticks), at least 1. It is 0 for hands, and for an arm in
-    /// a tick without a sample; then the counts are meaningless.
+    /// Age of the haptic model (all that the servo knows of the world) that the servo used (ticks), at least
+    /// 1. It is 0 for hands, and for an arm in a tick without a sample; then the counts are meaningless.
     std::uint16_t model_age{};
     /// Number of samples left out before this one because the simulation was too far behind, or because
     /// samples of an arm were lost. If it is not 0, every arm's servo restarts and an arm's sample is not
@@ -171,7 +172,8 @@ struct DeviceSpec {
         force_percent = static_cast<std::uint8_t>(std::min(percent, 100U));
     }
 
-    /// Sets how much of the weight and of the blows the player feels, 0 to 100 % of the data files' values.
+    /// Sets how much of the weight of a carried object, and of the blows on it, the player feels, 0 to 100 %
+    /// of the data files' values.
     void set_carried_percent(std::uint32_t weight_percent, std::uint32_t blow_percent) {
         weight_reduction = static_cast<std::uint8_t>(100 - std::min(weight_percent, 100U));
         blow_reduction = static_cast<std::uint8_t>(100 - std::min(blow_percent, 100U));
@@ -188,7 +190,8 @@ struct DeviceSpec {
         fluid_reduction[source] = static_cast<std::uint8_t>(100 - std::min(percent, 100U));
     }
 
-    /// Values of all faders at the beginning of the match; HandFader `n` is at n - 1.
+    /// Values of all faders at the beginning of the match; the fader with the number n in HandFader has index
+    /// n - 1.
     std::array<std::uint8_t, hand_faders> faders() const;
 };
 

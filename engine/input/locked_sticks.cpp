@@ -36,7 +36,7 @@ bool has_bit(std::string_view words, unsigned bit) {
     return bit < bits_in_word && (value >> bit & 1U) != 0;
 }
 
-/// Whether a device has the first button of a joystick or of a gamepad.
+/// Whether a device is a joystick or a gamepad: it has the first button of either.
 bool is_stick(const std::filesystem::path& device) {
     const auto keys = first_line(device / "capabilities" / "key");
     return has_bit(keys, BTN_JOYSTICK) || has_bit(keys, BTN_GAMEPAD);

@@ -27,14 +27,15 @@ struct DataFile {
     bool operator==(const DataFile&) const = default;
 };
 
-/// A kind of thing, such as an event or a wand, and its number in saved states and samples.
+/// A kind of thing, such as an event or a wand, and the number that identifies it in saved states and
+/// samples.
 struct Kind {
     std::uint16_t number{};
     std::string name;
     bool operator==(const Kind&) const = default;
 };
 
-/// Numbers of all kinds of one group.
+/// The kinds of one group, such as all wands, with the numbers that identify them.
 struct KindTable {
     std::string group;        ///< name of the group: "event", "cause", "wand"
     std::vector<Kind> kinds;  ///< kinds in ascending order of their numbers; at most 1,000
@@ -44,7 +45,7 @@ struct KindTable {
 /// Data of a player's profile on which the match depends, such as recorded gestures. The log holds the data
 /// itself, because a profile changes between matches.
 struct ProfileData {
-    std::string kind;        ///< kind of the data, which decides the meaning of `bytes`
+    std::string kind;        ///< kind of the data, such as gestures, which decides the meaning of `bytes`
     std::string name;        ///< name within the kind and the player
     std::uint32_t player{};  ///< index into LogHeader::players
     std::vector<std::byte> bytes;
@@ -64,14 +65,15 @@ struct LogHeader {
     std::string physics_library;  ///< name and version, such as "Bullet 3.24"; empty in format 1
     /// Precision of the physics library's numbers, such as "double"; empty in format 1.
     std::string physics_precision;
-    std::vector<std::string> players;  ///< names such as "human", "bot 1"; at most 16
+    std::vector<std::string> players;  ///< a name for each player, such as "human" or "bot 1"; at most 16
     /// Devices, at most max_devices; each has its own columns of samples.
     std::vector<DeviceSpec> devices;
-    std::vector<DataFile> files;         ///< data files; at most 1,000
-    std::vector<std::string> overrides;  ///< values of --set, "key=value", in order; at most 1,000
+    std::vector<DataFile> files;         ///< data files on which the match depends; at most 1,000
+    std::vector<std::string> overrides;  ///< values of the option --set, "key=value", in order; at most 1,000
     /// Parameters of the match, "key=value": kills to win, seconds; at most 1,000.
     std::vector<std::string> parameters;
-    /// Numbers of kinds of things, such as wands, by group; at most 16 groups, sorted; none in format 1.
+    /// Tables, one for each group such as wands, of the numbers by which the log identifies the kinds of the
+    /// group. At most 16, sorted; none in format 1.
     std::vector<KindTable> kinds;
     std::vector<ProfileData> profile;  ///< data of players' profiles; at most 1,000
     /// Names of the players for display; an empty one means the team's name. There are at most as many as
@@ -122,8 +124,8 @@ public:
     /// Ends the recording. Without `close` before, the log keeps everything appended but reads as cut off.
     ~LogWriter();
 
-    /// Appends the frame of the next tick. Devices beyond the header's must be zero. No file access and no
-    /// lock. No allocation while the disk lags less than 4 s behind.
+    /// Appends the frame of the next tick. Samples of devices that the header does not list must be zero. No
+    /// file access and no lock. No allocation while the disk lags less than 4 s behind.
     void append(const InputFrame& frame);
     /// Appends the hashes of state and forces after `tick` ticks. `tick` is a multiple of hash_interval,
     /// larger than at the last call, and not beyond the appended frames. Call it before the next frame is
@@ -133,7 +135,7 @@ public:
     /// dropped.
     void mark(std::uint32_t number, MarkKind kind = MarkKind::user);
 
-    /// Number of appended ticks.
+    /// Number of ticks that were appended so far, written or not.
     Tick ticks() const;
     /// Number of ticks in the file.
     Tick ticks_on_disk() const;
@@ -156,7 +158,7 @@ private:
 
 /// Ending of a log.
 enum class LogEnding {
-    clean,  ///< closed by the program
+    clean,  ///< the program closed the log
     /// The program or the machine stopped while recording (zeros at the end mean a power cut). This is only a
     /// warning.
     cut_off,
@@ -191,9 +193,10 @@ public:
     /// The line of text with which the program closed the log; empty if the ending is not clean.
     const std::string& result() const;
 
-    /// All hashes by ascending tick, including those of the end block, with which a log is closed.
+    /// All hashes of state and forces by ascending tick, including those of the end block, with which a log
+    /// is closed.
     const std::vector<HashRecord>& hashes() const;
-    /// Hashes recorded after `tick` ticks; std::nullopt: there are none.
+    /// Hashes of state and forces recorded after `tick` ticks; std::nullopt: there are none.
     std::optional<HashRecord> hash_at(Tick tick) const;
     /// All marks, in the order in which they were made.
     const std::vector<Mark>& marks() const;

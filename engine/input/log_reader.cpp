@@ -106,12 +106,12 @@ Expected<OpenedLog> open_log(const std::string& path) {
 
 /// Position of a block of ticks in the file.
 struct BlockPlace {
-    Tick first{};  ///< number of the block's first frame
+    Tick first{};  ///< number of the first frame of the block, from 0
     std::size_t at{};
 };
 
-/// Smallest number of zeros at the end that is taken as a power cut. With fewer it is uncertain, because a
-/// block may end with zeros.
+/// Smallest number of zero bytes at the end of a log that is taken as a power cut. With fewer it is
+/// uncertain, because a block may end with zeros.
 constexpr std::size_t min_zeros = 16;
 
 struct LogReader::State {
@@ -132,7 +132,8 @@ struct LogReader::State {
     std::string reason;
     LogEnding ending = LogEnding::cut_off;
     Tick ticks = 0;  // number of ticks in complete blocks
-    // Positions of some blocks, for `seek`; not of all, because damaged logs may have many small blocks.
+    // Positions of some blocks, from which `seek` starts; not of all, because damaged logs may have many
+    // small blocks.
     std::vector<BlockPlace> kept;
 
     // What is read next: the block at `at` (bytes), or frame `at_frame` of the block decoded last.
@@ -140,7 +141,7 @@ struct LogReader::State {
     std::size_t at_frame = 0;
     detail::Block block;
 
-    /// Records the ending, and returns false for the caller to return.
+    /// Notes how and why the log ends. Returns false, which the caller returns as well.
     bool end(LogEnding how, std::string_view what) {
         ending = how;
         reason = how == LogEnding::damaged ? text(path, ": tick ", ticks, ": block damaged (", what, ")")

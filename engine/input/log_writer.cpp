@@ -29,7 +29,7 @@
 namespace thaum::input {
 namespace {
 
-// Number of blocks at the start; enough for a disk that stalls for 4 s.
+// Number of blocks of 512 ticks at the start; enough for a disk that stalls for 4 s.
 constexpr std::size_t usual_blocks = 8;
 constexpr std::size_t max_blocks = 256;  // largest number of blocks: 2 minutes, 22 MiB; then recording ends
 
@@ -110,7 +110,8 @@ struct LogWriter::State {
         current = take_spare();
     }
 
-    /// Starts the log's thread, which alone writes blocks to the file. The error is that of start_thread.
+    /// Starts the log's thread, which alone writes blocks to the file. The error says why the system refuses
+    /// the thread.
     Expected<void> start() {
         auto started = start_thread([this] { work(); });
         if (!started) return started.error();
@@ -194,7 +195,8 @@ struct LogWriter::State {
         handed_over.notify_one();
     }
 
-    /// Takes the next block. Returns false if there is none; the full block then stays current, for `finish`.
+    /// Hands over the full block and takes a free one. Returns false if none is free; the full block then
+    /// stays the current one, and `finish` writes it.
     bool next_block() {
         auto* next = take_spare();
         if (next == nullptr) {
@@ -237,7 +239,7 @@ struct LogWriter::State {
         current->marks[current->mark_count++] = {appended.load(std::memory_order_relaxed), kind, number};
     }
 
-    /// Waits until everything is written.
+    /// Waits until the log's thread has written everything.
     void finish(AfterBlock after) {
         if (finished) return;
         finished = true;

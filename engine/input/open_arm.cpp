@@ -21,7 +21,7 @@ enum class OwnThread : std::uint8_t { none, runs, ended, given_up };
 
 namespace {
 
-constexpr std::size_t max_name = 80;  ///< longest name or number that is kept (bytes)
+constexpr std::size_t max_name = 80;  ///< longest text of an arm, such as its serial number (bytes)
 constexpr std::size_t max_line = 600;
 
 }  // namespace
@@ -54,7 +54,8 @@ Usage& usage() {
     return *the;
 }
 
-/// Reserves the place of one arm. The error says that it is in use, or that its driver hangs.
+/// Reserves an arm, so that it is opened only once. The error says that the arm is open already, or that a
+/// call of its driver hangs.
 Expected<void> occupy(const ArmPlace& place) {
     auto& u = usage();
     const std::lock_guard lock(u.mutex);
@@ -168,7 +169,7 @@ void close_watched(const std::shared_ptr<State>& state) {
         state->patience.close_ns, nullptr, [=] { state->driver->give_up(); }, [] {});
 }
 
-/// Keeps the state of an arm whose driver hangs until the program ends, because the driver may still use it.
+/// Keeps the state of an arm in memory until the program ends. Its driver hangs, and may still use the state.
 template <class State>
 void keep_for_ever(const std::shared_ptr<State>& state) {
     static auto* mutex = new std::mutex();
@@ -198,7 +199,8 @@ Expected<void> start_own(const std::shared_ptr<State>& state, std::atomic<OwnThr
     return {};
 }
 
-/// Waits until the thread has left the driver, so that `close` is the driver's only call.
+/// Waits until a thread of the engine has left the driver, so that no other call of the driver runs beside
+/// `close`.
 void leave(std::atomic<OwnThread>& thread, std::string_view driver) {
     constexpr std::int64_t patience_ns = 100'000'000, look_ns = 200'000;
     const auto until = monotonic_ns() + patience_ns;
@@ -218,7 +220,7 @@ void run_servo(ArmTicks& ticks) {
     }
 }
 
-/// Watches the ticks until the arm is closed, and ends their force if they stop.
+/// Watches the ticks until the arm is closed, and ends the arm's force if they stop.
 template <class State>
 void run_watch(State& s) {
     // Longest time for which a give_up that hangs delays the next call of it. The driver may try another way

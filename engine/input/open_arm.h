@@ -37,7 +37,7 @@ struct ArmPatience {
 /// An arm that may be plugged in.
 struct ArmPlace {
     const ArmDriverKind* kind{};
-    std::string arm{};  ///< word by which the driver identifies the arm
+    std::string arm{};  ///< word by which the driver tells the arm from its others
 };
 
 /// Arms of all drivers, sorted by driver. Users call number i of the list "arm:i".
@@ -62,7 +62,7 @@ public:
     Expected<void> start(ArmTick tick);
     /// State of the arm. After `lost` or `fault` there are no more ticks. Any thread may call it.
     ArmStatus status() const;
-    /// Statistics of the times of the ticks so far.
+    /// Statistics of the times of the arm's ticks so far.
     TickReport times() const;
     /// Whether the system schedules the arm's thread before ordinary ones (SCHED_FIFO); false before the
     /// first tick.

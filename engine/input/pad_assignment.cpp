@@ -12,7 +12,7 @@ struct Question {
     std::string_view field;  ///< name of the control in mappings, the lines of SDL's gamecontrollerdb.txt
     std::string_view name;   ///< name of the control for people
     std::string_view words;
-    bool stick = false;   ///< true: the user must move a whole axis to its positive side
+    bool stick = false;   ///< true: an axis of a stick, which the user must move to its positive side
     bool needed = false;  ///< true: a duel cannot be played without this control
 };
 constexpr std::array questions{
@@ -80,7 +80,8 @@ std::optional<std::string> PadAssignment::moved_axis(std::size_t axis, int value
     return side;
 }
 
-/// The part of the joystick that is being moved and that was not assigned before.
+/// The part of the joystick (button, axis or hat) that is being moved and that was not assigned before, in
+/// the form of a mapping.
 std::optional<std::string> PadAssignment::moved_part(const StickState& current) const {
     const bool stick = questions.at(number_).stick;
     for (std::size_t i = 0; !stick && i < current.buttons.size() && i < rest_.buttons.size(); ++i) {

@@ -26,7 +26,7 @@ public:
     std::string_view asks() const;
     /// Number of the current question, from 0.
     std::size_t number() const { return number_; }
-    /// Number of questions.
+    /// Number of questions, one for each control of a pad.
     static std::size_t count();
 
     /// Takes the state of the joystick. Returns whether the current question was answered.
@@ -53,7 +53,7 @@ private:
     std::size_t number_ = 0;
     bool let_go_first_ = false;  ///< true: the last assigned part has not been released yet
     std::string answers_{}, skipped_{};
-    std::set<std::string> taken_{};  ///< parts that are already assigned
+    std::set<std::string> taken_{};  ///< parts of the joystick that are already assigned, such as "b3"
 };
 
 }  // namespace thaum::input

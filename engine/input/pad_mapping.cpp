@@ -39,7 +39,8 @@ bool take_number(std::string_view& word) {
     return digits > 0 && digits <= 3;
 }
 
-/// Whether a word names a part of a joystick: "b3", "h0.4", "a2", "+a2", "-a2", "a2~".
+/// Whether a word names a part of a joystick: a button ("b3"), a direction of a hat ("h0.4"), or an axis
+/// ("a2", one side of it "+a2" or "-a2", inverted "a2~").
 bool is_part(std::string_view word) {
     const bool side = word.starts_with('+') || word.starts_with('-');
     if (side) word.remove_prefix(1);

@@ -29,7 +29,7 @@ std::atomic<bool> alive = false;  // true: a PadReader exists
 using Controller = std::unique_ptr<SDL_GameController, decltype(&SDL_GameControllerClose)>;
 using Joystick = std::unique_ptr<SDL_Joystick, decltype(&SDL_JoystickClose)>;
 
-/// A string from SDL, which may be null.
+/// A string from SDL; if it is null, an empty one.
 std::string in_words(const char* words) { return words == nullptr ? "" : words; }
 
 std::string guid_of(int index) {
@@ -51,7 +51,8 @@ double share_of(std::int16_t value) { return std::max(-1.0, value / 32767.0); }
 struct OpenPad {
     SDL_JoystickID id = -1;
     Controller controller{nullptr, SDL_GameControllerClose};
-    /// Model of the mapping of this program that the pad uses; empty: the pad uses a mapping of SDL's own.
+    /// Model of joysticks of the program's own mapping that the pad uses (a mapping says which part of a
+    /// joystick is which control); empty: the pad uses a mapping of SDL's.
     std::string own_model{};
 };
 

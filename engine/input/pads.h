@@ -38,14 +38,14 @@ public:
     const std::string& fault() const;
 
     /// Pads that use a mapping passed to the constructor or to `add`, described as joysticks, since such a
-    /// mapping names their parts. `guid` is the model of the mapping.
+    /// mapping names their parts. `guid` of each is the model for which the mapping was made.
     std::vector<Stick> own() const;
 
-    /// Adds a mapping, which turns the joysticks of its model into pads. The error says what is wrong with
-    /// it.
+    /// Adds a mapping, a line that says which part of a joystick is which control. It turns the joysticks of
+    /// its model into pads. The error says what is wrong with it.
     Expected<void> add(const std::string& mapping);
-    /// Removes the mappings of a model that were passed to the constructor or to `add`. Then searches for all
-    /// pads again, which takes some milliseconds.
+    /// Removes the mappings of a model of joysticks that were passed to the constructor or to `add`. Then
+    /// searches for all pads again, which takes some milliseconds.
     void forget(const std::string& model);
 
 private:

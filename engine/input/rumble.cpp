@@ -21,7 +21,7 @@
 // is started, and then the first is stopped. Stopping the first begins the other at once. So neither a stop
 // nor the end of the program can leave a motor on.
 //
-// SDL's own rumble is not used, because it gives neither guarantee. It changes the one effect that runs, and
+// SDL's own rumble is not used, because it can leave the motors on. It changes the one effect that runs, and
 // gives it a length of 65.5 s in Linux, which SDL cuts short only while somebody polls it. A program that is
 // stopped or hangs would leave the motors on for a minute, and one that is killed between the change and its
 // start for ever. With effects that end by themselves, the thread of the motors needs no lock that the thread
@@ -83,11 +83,11 @@ private:
     const std::string path_, name_;
     DeviceFile file_{};
     bool failed_ = false;                 ///< true: a call has failed since the device was opened
-    std::array<ff_effect, 2> effects_{};  ///< the two effects; one whose id is below 0 is not uploaded
+    std::array<ff_effect, 2> effects_{};  ///< the effects that run in turn; id below 0: not uploaded
     std::size_t current_ = 0;             ///< index of the effect that runs, or ran last
     /// true: the effect was started and not stopped, but it may have ended by itself.
     bool running_ = false;
-    double extend_at_s_ = 0;  ///< time at which half of the running effect's duration is over (s)
+    double extend_at_s_ = 0;  ///< time at which the running effect is half over and must be extended (s)
 };
 
 Expected<void> Rumble::open() {
@@ -123,7 +123,7 @@ void Rumble::write(const tactile::TactileFrame& frame, double now_s) {
     extend_at_s_ = now_s + 0.5e-3 * wanted.replay.length;
 }
 
-/// Tests whether the running effect is the wanted one.
+/// Tests whether an effect with the wanted strengths and duration runs already.
 bool Rumble::is_running(const ff_effect& wanted) const {
     const auto& current = effects_[current_];
     return running_ && current.u.rumble.strong_magnitude == wanted.u.rumble.strong_magnitude &&

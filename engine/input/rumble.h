@@ -1,8 +1,8 @@
 // input/rumble.h: the two motors of a game pad, by Linux's force feedback (evdev).
 //
-// The left actuator of the layout `pad` runs the strong motor, which sits in the left hand, and the right one
-// the weak motor. The motors take no carrier frequency. Each effect ends by itself after the frame's time to
-// live, and the system ends it when the program does, so no motor stays on.
+// The layout `pad` has two actuators. The left one stands for the strong motor, which sits in the left hand,
+// and the right one for the weak motor. The motors take no carrier frequency. Each effect ends by itself
+// after the frame's time to live, and the system ends it when the program does, so no motor stays on.
 #pragma once
 #include <memory>
 

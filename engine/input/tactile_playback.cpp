@@ -19,8 +19,7 @@ constexpr double s_per_tick = 1e-3;
 void merge(const tactile::TactileFrame& older, tactile::TactileFrame& newer) {
     for (std::size_t i = 0; i < newer.amplitude.size(); ++i) {
         if (!(older.amplitude[i] > newer.amplitude[i])) continue;
-        // An actuator that has just become silent has no carrier frequency of its own, so it takes the older
-        // one.
+        // An actuator that is silent in the newer frame has no carrier there, so it takes the older one.
         if (newer.amplitude[i] == 0) newer.carrier_hz[i] = older.carrier_hz[i];
         newer.amplitude[i] = older.amplitude[i];
     }
@@ -139,8 +138,8 @@ void TactilePlayback::drop_waiting() {
     for (; frames_.front() != nullptr; frames_.pop()) ++report_.frames_lost;
 }
 
-/// Takes a tactile frame from a second source, which `try_out` has passed. Returns whether there is a new
-/// one.
+/// Takes the newest tactile frame that a second source, such as a menu, has passed by `try_out`. Returns
+/// whether there is a new one.
 bool TactilePlayback::take_trial(double now_s) {
     const std::lock_guard lock(told_);
     if (!next_trial_) return false;
@@ -149,7 +148,7 @@ bool TactilePlayback::take_trial(double now_s) {
     return true;
 }
 
-/// Merges all waiting tactile frames into frame_. Returns their number.
+/// Merges all waiting tactile frames into one, `frame_`. Returns their number.
 std::size_t TactilePlayback::take_frames() {
     const auto count = frames_.size();
     for (std::size_t i = 0; i < count; ++i, frames_.pop()) {
@@ -159,7 +158,7 @@ std::size_t TactilePlayback::take_frames() {
     return count;
 }
 
-/// Passes on each waiting tactile frame unchanged, for an output that wants every frame.
+/// Passes each waiting tactile frame on unchanged, for an output that wants every frame, such as a recorder.
 void TactilePlayback::pass_all(double now_s) {
     for (; frames_.front() != nullptr; frames_.pop()) {
         ++report_.frames_sent;

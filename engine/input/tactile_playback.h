@@ -38,21 +38,22 @@ struct TactileReport {
 class TactilePlayback {
 public:
     static constexpr double retry_s = 2;           ///< time between two tries to open an output (s)
-    static constexpr double longest_life_s = 0.5;  ///< longest time to live that is accepted (s)
+    static constexpr double longest_life_s = 0.5;  ///< longest time to live of a frame that is accepted (s)
 
-    /// Queues a frame; called by the thread that makes frames. Returns false if the queue is full, because
-    /// the output is not fed at the moment.
+    /// Queues a frame; called by the thread that makes frames. Returns false if the queue is full, which
+    /// happens while the output's thread takes no frames.
     bool feel(const tactile::TactileFrame& frame);
 
-    /// Merges a frame with those that are queued; any thread may call it. Only the newest such frame is used.
+    /// Merges a frame of a second source, such as a menu, with the queued ones. Only its newest frame is
+    /// used. Any thread may call it.
     void try_out(const tactile::TactileFrame& frame);
-    /// Takes another output at the next step; null: none. The former output is closed.
+    /// From the next step on, frames go to this output; null: to none. The former output is closed.
     void use(std::unique_ptr<TactileOutput> output);
-    /// One line: which output plays, or why none does. Empty if there is none.
+    /// One line: which output plays, or why none does. Empty if there is no output.
     std::string status() const;
-    /// Counts since the start.
+    /// Counts of frames played, merged and dropped since the start.
     TactileReport report() const;
-    /// Whether frames are passed to an output.
+    /// Whether an output is open, to which frames are passed.
     bool is_open() const { return open_; }
     /// Lets `step` return as soon as a blocking call of the output returns, without calling the output again.
     void abandon() { abandoned_ = true; }
@@ -90,7 +91,7 @@ private:
     std::unique_ptr<TactileOutput> output_;
     TactileReport report_;
     tactile::TactileFrame frame_{};  ///< the newest frame, with older ones merged into it
-    tactile::TactileFrame trial_{};  ///< the newest frame of `try_out`
+    tactile::TactileFrame trial_{};  ///< the newest frame that a second source has passed by `try_out`
     double trial_until_s_{};
     std::atomic<bool> open_{};  ///< true: an output is open; changed only by the output's thread
     bool sounding_{};           ///< true: the output plays a frame that is not silent

@@ -13,7 +13,7 @@
 
 namespace thaum::input {
 
-/// A TactilePlayback with its thread.
+/// Plays tactile frames on one output, in a thread of its own.
 class TactilePlayer {
 public:
     static constexpr double max_wait_s = 1.5;
@@ -23,15 +23,15 @@ public:
 
     /// Queues a frame; the simulation thread calls it every 8 ms. Never waits.
     bool feel(const tactile::TactileFrame& frame);
-    /// Merges a frame with those that are queued (TactilePlayback::try_out). Any thread may call it.
+    /// Merges a frame of a second source, such as a menu, with the queued ones. Any thread may call it.
     void try_out(const tactile::TactileFrame& frame);
     /// Changes the output; null: none. Any thread may call it; it never waits for an output.
     void use(std::unique_ptr<TactileOutput> output);
-    /// One line: which output plays, or why none does. Empty if there is none. Any thread may ask.
+    /// One line: which output plays, or why none does. Empty if there is no output. Any thread may ask.
     std::string status() const;
-    /// Counts since the start. Any thread may ask.
+    /// Counts of frames played, merged and dropped since the start. Any thread may ask.
     TactileReport report() const;
-    /// Whether frames are passed to an output. Any thread may ask.
+    /// Whether an output is open, to which frames are passed. Any thread may ask.
     bool is_open() const;
 
 private:

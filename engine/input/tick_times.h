@@ -13,7 +13,7 @@ namespace thaum::input {
 /// Histogram of durations in whole microseconds. One thread adds; any thread may read.
 class TimeCounts {
 public:
-    /// Counts one duration.
+    /// Adds one duration to the histogram.
     void add(std::int64_t ns);
     /// Duration that a share (0 to 1) of all durations does not exceed (us). A duration beyond the range
     /// counts as the longest one. Returns 0 if there is none yet.
@@ -23,7 +23,7 @@ public:
 
 private:
     static constexpr std::size_t range = 4096;
-    /// The last element counts all longer durations.
+    /// Element i is the number of durations of i microseconds. The last element counts all longer ones, too.
     std::array<std::atomic<std::uint32_t>, range> counts_{};
     std::atomic<std::int64_t> worst_ns_{0};
 };
@@ -39,7 +39,7 @@ struct TickReport {
     double answer_median{}, answer_p99{}, answer_worst{};
 };
 
-/// Statistics by name; the names contain the unit.
+/// Statistics of a report with their names, which contain the unit.
 std::vector<std::pair<std::string, double>> metrics_of(const TickReport& times);
 
 /// Measures tick times. One thread records; any thread may ask for the report.

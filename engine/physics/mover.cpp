@@ -12,7 +12,8 @@ constexpr vec3 up{0, 1, 0};
 /// The ground is found by a sphere that is swept down from the mover's capsule. Its radius is smaller than
 /// the capsule's by this, so that walls do not stop it (m).
 constexpr double sole = 0.02;
-/// Largest speed away from the ground at which a falling mover counts as landed (m/s).
+/// Largest speed away from the ground at which a falling mover (the capsule of a person) counts as landed
+/// (m/s).
 constexpr double caught_speed = 1;
 /// Largest speed away from the ground at which a walking mover is kept on the ground, as over a crest of 50
 /// degrees (m/s).

@@ -14,11 +14,11 @@
 
 namespace thaum::physics {
 
-/// The body of a mover: a person of 1.8 m and 75 kg.
+/// The body of a mover, a walking person of 1.8 m and 75 kg.
 inline constexpr BodyDesc mover_body{
     .shape = Shape::capsule, .size = {0.35, 0.55, 0}, .mass = 75, .friction = 0, .upright = 1};
 
-/// Input of a mover for one step.
+/// What a mover (a walking person) is to do in one step.
 struct MoverInput {
     vec3 wish_velocity{};  ///< wished velocity; y is ignored, speed is limited to walk_speed (m/s)
     /// True: jump whenever the mover stands on the ground; the caller sets this in one step for each press.
@@ -28,20 +28,21 @@ struct MoverInput {
     double rope_lift{};
 };
 
-/// Abilities of a mover; the defaults are those of a person.
+/// Abilities of a mover; the defaults are those of a walking person.
 struct MoverSettings {
     double walk_speed{4.5};          ///< speed along the ground (m/s)
     double ground_acceleration{40};  ///< largest acceleration on the ground (m/s^2)
     double air_acceleration{4};      ///< largest acceleration in the air (m/s^2)
     double push_force{700};          ///< largest force with which the mover pushes against a resistance (N)
     double adhesion{60};  ///< acceleration towards the ground that keeps the feet on it over a crest (m/s^2)
-    double jump_speed{4.6454278597};  ///< sqrt(2 * 9.81 * 1.1), for an apex of 1.1 m (m/s)
+    /// Upward speed of a jump: sqrt(2 * 9.81 * 1.1), for an apex of 1.1 m (m/s).
+    double jump_speed{4.6454278597};
     double steepest_cos{0.64278761};  ///< cosine of the steepest slope on which it can stand: 50 degrees
     double reach{0.03};               ///< distance below the capsule within which ground is found (m)
     Layers ground{all_layers};        ///< layers of bodies that can be stood on
 };
 
-/// State of a mover between steps; the caller stores it with the body's state.
+/// State of a mover (a walking person) between steps; the caller stores it with the body's state.
 struct MoverState {
     /// Velocity relative to the ground to which the mover was last driven, if nothing resisted (m/s).
     vec3 expected{};
@@ -53,7 +54,7 @@ struct MoverState {
 static_assert(std::is_trivially_copyable_v<MoverState>);
 static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
-/// Result of one step of a mover.
+/// What one step of a mover (a walking person) came to.
 struct MoverResult {
     bool grounded{};
     bool jumped{};

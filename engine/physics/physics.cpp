@@ -68,7 +68,8 @@ Pair pair_of(const btPersistentManifold& manifold) {
     return a < b ? Pair{a, b} : Pair{b, a};
 }
 
-/// Contact of a pair, summed over its contact points in the last step. The caller sets `began`.
+/// Contact of a pair, summed over its contact points in the last step. The caller sets `began`, whether it is
+/// new.
 Contact contact_of(const btPersistentManifold& manifold) {
     const Pair pair = pair_of(manifold);
     Contact contact{pair.a, pair.b, {}, {}, 0, false};
@@ -190,7 +191,7 @@ void Physics::Impl::before_step(double dt) {
     }
 }
 
-/// Moves a body to the exact end of its flight if nothing pushed it since `from`.
+/// Moves a body to the exact end of its free flight from `from`, unless something pushed it in this step.
 void Physics::Impl::correct_flight(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;

@@ -38,7 +38,7 @@ using Key = std::uint32_t;
 /// Value of ignore_key if a ray ignores no body; never the key of a body.
 inline constexpr Key no_key = 0xffffffff;
 
-/// Set of layers, one bit each.
+/// Set of layers, one bit each. Layers are groups of bodies; they decide which bodies collide.
 using Layers = std::uint32_t;
 inline constexpr Layers all_layers = 0xffffffff;
 
@@ -63,7 +63,7 @@ struct BodyDesc {
     double linear_damping{};    ///< share of the velocity lost per second, [0, 1)
     double angular_damping{};
     Layers layer{1};  ///< layers that the body belongs to
-    /// layers that the body collides with; two bodies collide if each belongs to a layer of the other's set.
+    /// Layers that the body collides with. Two bodies collide if each belongs to a layer of the other's set.
     Layers collides_with{all_layers};
     std::uint32_t upright{};  ///< 1: the body never rotates (as the capsule of a wizard)
     /// 1: the body's centre never passes through a static body in a step, however thin the static body or
@@ -120,7 +120,7 @@ struct RayHit {
 /// One surface near a point, world frame: a whole solid, or one triangle of a mesh.
 struct Nearby {
     Key key{};
-    Shape shape{};         ///< Shape::mesh: one triangle of the mesh
+    Shape shape{};         ///< shape of the body; Shape::mesh: the surface is one triangle of it
     std::uint32_t part{};  ///< index of the triangle in its mesh, else 0
     double distance{};     ///< distance from the point; 0 inside a solid (m)
     /// Mesh: corners of the triangle, counter-clockwise from outside (m). Else a is the centre (m) and b is
@@ -129,7 +129,8 @@ struct Nearby {
     vec3 velocity{};  ///< velocity of the body at the point (m/s)
 };
 
-/// Result of Physics::nearby().
+/// Result of Physics::nearby(): how many surfaces it found near a point, and up to which distance it found
+/// all.
 struct NearbyResult {
     std::size_t count{};  ///< number of surfaces written to the caller's array
     /// All surfaces nearer than this were found (m). It is less than the requested radius if the array was
@@ -220,8 +221,9 @@ public:
     /// First body along the path whose layer is in `mask`; of two at the same distance, the one with the
     /// lower key. Exact to 1 nm for every shape and length. Does not allocate.
     std::optional<RayHit> ray(vec3 from, vec3 to, Layers mask = all_layers, Key ignore_key = no_key) const;
-    /// First body that a sphere touches while its centre moves from `from` to `to`; the rules of `ray` hold
-    /// here too. Even the thinnest body is found.
+    /// First body that a sphere touches while its centre moves from `from` to `to`; of two at the same
+    /// distance, the one with the lower key. As exact as `ray`, so even the thinnest body is found. Does not
+    /// allocate.
     std::optional<RayHit> sweep_sphere(vec3 from, vec3 to, double radius, Layers mask = all_layers,
                                        Key ignore_key = no_key) const;
     /// Surfaces within `radius` (m) of a point, as exact as a ray. If the array is too small, it gets the

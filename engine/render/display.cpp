@@ -46,8 +46,8 @@ std::string display_for_windows() {
 std::string display_not_spoken() { return speaks("Wayland") ? std::string() : value_of(wayland); }
 
 void end_with_display() {
-    // Xlib's function that sets the handler is looked up by name: GLFW loads Xlib itself, and Xlib's headers
-    // may not be installed.
+    // Xlib's function that sets what is called when the display is lost is looked up by name: GLFW loads Xlib
+    // itself, and Xlib's headers may not be installed.
     using Handler = int (*)(void*);
     using SetHandler = Handler (*)(Handler);
     if (auto* set = reinterpret_cast<SetHandler>(::dlsym(RTLD_DEFAULT, "XSetIOErrorHandler")); set != nullptr)

@@ -27,7 +27,8 @@ struct Vertex {
     fvec3 lamps{0};  ///< constant light from lamps, added to the other light
     float open = 1;  ///< share of the ambient light that reaches the vertex, 0 to 1
     float sun = 1;   ///< 1 if sunlight reaches the vertex, else 0; ignored where a shadow map decides
-    /// Factor of the colour at a great distance, so that fine lines do not flicker there.
+    /// Factor of the colour at a great distance. By it fine lines take on the colour around them, since they
+    /// would flicker there.
     float far_away = 1;
 };
 
@@ -41,16 +42,17 @@ struct MeshData {
 /// fewer triangles, or not at all.
 struct Patch {
     MeshData full;
-    /// The same piece with fewer triangles. It is drawn if the missing detail is smaller than finest_px
-    /// (render/quality.h) and has faded (Vertex::far_away). Empty if there is no plain form.
+    /// The same piece with fewer triangles. It is drawn if the missing detail is smaller than finest_px, the
+    /// least size (px) of detail that the quality shows, and has faded (Vertex::far_away). Empty if there is
+    /// no plain form.
     MeshData plain{};
     float detail{};  ///< size of the detail that `plain` lacks (m)
     // `full` is empty for a patch behind other patches that have such detail, so only `plain` can be drawn.
     // It is visible only if one of those others may be drawn in its plain form.
-    bool sunless{};  ///< true: the sun never reaches it, so no shadow map look-up is needed
+    bool sunless{};  ///< true: the sun never reaches the patch, so no shadow map look-up is needed
 };
 
-/// Patches drawn in one call, the nearest first.
+/// A large fixed mesh that is drawn in one call, the nearest patches first.
 using Patchwork = std::vector<Patch>;
 
 /// A sphere that contains the mesh, for culling.

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double slow_ms = 1000.0 / 30;
 constexpr double quick_ms = 9;
-// Number of pictures after a change that are not measured, since shaders and memory are new.
+// Number of pictures after each decision that are not measured, since shaders and memory may be new.
 constexpr int settling = 8;
 constexpr int judged = 60;
 constexpr int nearly_all = 57;

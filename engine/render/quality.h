@@ -5,9 +5,9 @@
 //   medium     720 lines    8, each vertex    map, one bilinear tap    the same, twice: in sun and in shade
 //   high       the window's 8, each pixel     map, four taps           16-bit floats, tone mapped last, bloom
 //
-// At low, detail finer than two pixels is drawn plainly: joints of far stone, meshes with coarser copies. A
-// volume is ray-marched in 7, 10 and 28 steps, at low and medium with a third of the view's pixels along a
-// side.
+// At low, detail finer than two pixels is left out: far stone is drawn without joints, and far meshes as
+// coarser copies. A volume is ray-marched in 7, 10 and 28 steps, at low and medium with a third of the view's
+// pixels along a side.
 //
 // `auto` is not a preset but a way to choose one. It starts from the device that draws (a processor or a
 // graphics card) and then follows measured times. It never alternates: a preset that proved too slow is not
@@ -24,30 +24,33 @@ enum class Quality : std::uint8_t { low, medium, high };
 inline constexpr std::size_t qualities = 3;
 inline constexpr std::array<std::string_view, qualities> quality_names{"low", "medium", "high"};
 
-/// Scale of the views' resolution (Frame::internal_scale) for a window of this height (px).
+/// Factor by which views are drawn smaller (Frame::internal_scale) than a window of this height (px).
 float internal_scale_of(Quality quality, int height);
 
-/// Detail smaller than this may be left out: a patch is then drawn in its plain form, or a mesh as a coarser
-/// copy (px).
+/// Size of detail below which it may be left out: a patch (piece of a large mesh) is then drawn in its plain
+/// form, or a mesh as a coarser copy (px).
 float finest_px(Quality quality);
 
 /// Returns true if the processor draws, instead of a graphics card. `renderer` is OpenGL's GL_RENDERER.
 bool is_software(std::string_view renderer);
 
-/// First preset of `auto`. `renderer` is OpenGL's GL_RENDERER. A software rasteriser starts at medium.
+/// Preset with which the automatic choice begins. `renderer` is OpenGL's GL_RENDERER. A software rasteriser
+/// starts at medium.
 Quality first_quality(std::string_view renderer);
 
-/// State of `auto`. Start with `{.now = first_quality(...)}`, again whenever the window changes its size.
+/// State of the automatic choice of a preset. Start with `{.current = first_quality(...)}`, again whenever
+/// the window changes its size.
 struct AutoQuality {
     Quality current{};
     Quality most = Quality::high;  ///< highest preset that has not proved too slow
-    int frames{};                  ///< pictures since the last decision or change
+    int frames{};                  ///< number of pictures since the last decision or change of size
     int slow{}, quick{};           ///< numbers of slow and of fast pictures among `frames`
 };
 
-/// Updates the state after a picture that took `frame_ms` to draw and present. It decides once every 60
-/// pictures. It lowers the preset if more than half of them took longer than 1/30 s. It raises the preset if
-/// nearly all took less than 9 ms, since a preset costs up to three times as much as the one below.
+/// Updates the state after a picture that took `frame_ms` to draw and present. After each decision it ignores
+/// 8 pictures and judges the next 60. It lowers the preset if more than half of them took longer than 1/30 s.
+/// It raises the preset if nearly all took less than 9 ms, since a preset costs up to three times as much as
+/// the one below.
 AutoQuality after_frame(AutoQuality state, double frame_ms);
 
 }  // namespace thaum::render

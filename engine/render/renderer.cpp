@@ -65,7 +65,7 @@ void stretch(const ViewPlace& view) {
                       to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
-/// The batches that one view draws; they begin at index `first` in the frame's Batches.
+/// The batches (draw calls) of one view; they begin at index `first` in the frame's Batches.
 struct ViewBatches {
     Sight sight;
     Rect at{};  // viewport inside the target (px)
@@ -84,15 +84,15 @@ struct Renderer::State {
     std::vector<GpuMesh> meshes;
     std::vector<Bounds> mesh_bounds;            // bounds of each mesh
     std::vector<Levels> mesh_levels;            // coarser copies of each mesh
-    std::vector<PatchTable> mesh_patches;       // patches of each mesh
-    std::vector<std::uint64_t> mesh_revisions;  // number of changes of each mesh
+    std::vector<PatchTable> mesh_patches;       // pieces of those meshes that are drawn in patches
+    std::vector<std::uint64_t> mesh_revisions;  // number of times that each mesh was changed
     // Last MeshChange::version that was sent for each mesh; 0: none.
     std::vector<std::uint64_t> mesh_versions;
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
     // Targets smaller than the window; `light` holds linear light for Quality::high.
     Target pixels, light;
-    std::vector<Bloom> blooms;  // the bloom of each view
+    std::vector<Bloom> blooms;  // bloom (bright light that spreads) of each view
     ShadowMap shadow_map;
     Volumes volumes;
     Scans scans;
@@ -103,7 +103,7 @@ struct Renderer::State {
     bool cleared_to_fog{};              // true: this frame was cleared to the fog's colour
     SkyCells sky;                       // scratch memory, kept between frames
     std::vector<Hidden> hidden;         // regions that blocks hide from the view that collect_view works on
-    std::vector<Instance> dipped;       // instances that are partly inside the view's volume
+    std::vector<Instance> dipped;       // instances that are partly inside the brew (volume) of a view
 
     void draw_views(const Frame& frame);
     const Target* begin_target(const Frame& frame, int width, int height);
@@ -279,7 +279,8 @@ void Renderer::State::draw_views(const Frame& frame) {
     clock.end(Pass::window);
 }
 
-/// Clears what the views are drawn into, and makes it current. Returns null if that is the window itself.
+/// Binds and clears the framebuffer into which the views are drawn. Returns its target; null if it is the
+/// window's own.
 const Target* Renderer::State::begin_target(const Frame& frame, int width, int height) {
     const bool of_light = frame.quality == Quality::high,
                straight = width == frame.width && height == frame.height && !of_light;
@@ -469,7 +470,8 @@ void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
     statistics.draws += count;
 }
 
-/// Draws those patches of large meshes that `which` selects, such as the sunlit ones. A program is in use.
+/// Draws those patches of large meshes that `which` selects, such as the sunlit ones. The shader program must
+/// be in use.
 void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatches& its,
                                       IndexRange (*which)(const ChosenPatches&)) {
     const auto end = its.first + its.solid;

@@ -19,7 +19,7 @@
 
 namespace thaum::render {
 
-/// Counts of the last draw, over all views.
+/// What the last call of draw has done, counted over all views.
 struct DrawStatistics {
     std::size_t draws{};  ///< OpenGL draw calls, including sky and overlay
     std::size_t instances_drawn{};
@@ -63,11 +63,13 @@ public:
     MeshId upload(const Patchwork& patchwork);
     /// Replaces the triangles of a mesh that changes, such as a surface. The new mesh may be empty.
     void replace(MeshId id, const MeshData& mesh);
-    /// Reserves a volume. Views supply its texels and its skin (upper surface) in ViewScene::volume.
+    /// Reserves a volume (a translucent body, such as a brew). Views supply its texels and its skin (upper
+    /// surface) in ViewScene::volume.
     VolumeId make_volume();
 
-    /// Reserves a scan. Views supply its samples (ViewScene::scans). The first picture of each look (such as
-    /// translucent or surface) takes longer, since drivers compile a shader at its first use.
+    /// Reserves a scan (a body of samples, such as a CT scan). Views supply its samples (ViewScene::scans).
+    /// The first picture of each look (such as translucent or surface) takes longer, since drivers compile a
+    /// shader at its first use.
     ScanId make_scan();
 
     /// Draws into the context's framebuffer; the caller presents it. A frame of size zero draws nothing.
@@ -84,7 +86,7 @@ public:
     /// Returns the picture of the last draw. Must be called before present(), which may discard the picture.
     Image read_pixels();
 
-    /// Size of the box of a TextItem (px).
+    /// Size of the box that this UTF-8 text fills in the overlay (px).
     fvec2 measure(std::string_view text, float size);
 
 private:

@@ -42,8 +42,8 @@ public:
     std::size_t update(Renderer& renderer, const field::VectorField& field, std::span<const vec3> seeds,
                        const field::StreamlineSettings& settings, const RibbonLook& look,
                        std::uint64_t version);
-    /// Instances for ViewScene::instances, moved by `model` from the frame of the field. Valid until the next
-    /// call of a member.
+    /// The ribbons as instances (placed meshes) for ViewScene::instances, moved by `model` from the frame of
+    /// the field. Valid until the next call of a member.
     std::span<const Instance> instances(const fmat4& model = fmat4(1));
 
 private:

@@ -32,7 +32,8 @@ using ScanId = std::uint32_t;
 /// Samples along one side of a brick, a cube of samples that is sent or skipped as a whole.
 inline constexpr int scan_brick = 8;
 
-/// Number of bricks along each axis for a given number of samples. The last brick of an axis may be smaller.
+/// Number of bricks (cubes of 8^3 samples) along each axis for a given number of samples. The last brick of
+/// an axis may be smaller.
 constexpr std::array<int, 3> bricks_of(const std::array<int, 3>& samples) {
     return {(samples[0] + scan_brick - 1) / scan_brick, (samples[1] + scan_brick - 1) / scan_brick,
             (samples[2] + scan_brick - 1) / scan_brick};
@@ -42,29 +43,29 @@ constexpr std::array<int, 3> bricks_of(const std::array<int, 3>& samples) {
 using ScanSamples =
     std::variant<std::span<const std::uint8_t>, std::span<const std::uint16_t>, std::span<const float>>;
 
-/// Entry of a transfer function.
+/// Colour and opacity of one density.
 struct ScanEntry {
     fvec3 colour{1};  ///< colour in linear light
     float opacity{};  ///< share of the light that a layer of thickness Scan::unit hides, 0 to 1
 };
 
-/// Look of the voxels with one material index.
+/// How the voxels with one material index are drawn.
 struct ScanMaterial {
     fvec3 colour{1};    ///< factor of the colour
     float opacity = 1;  ///< factor of the absorption; a surface with less than 0.5 is invisible
 };
 
-/// Entries at the densities 0, 1/255, ..., 1. Between them colour and absorption are linear.
+/// Colour and opacity at the densities 0, 1/255, ..., 1. Between them colour and absorption are linear.
 using ScanTable = std::array<ScanEntry, 256>;
 
-/// Whether one sees through a volume or only its surface.
+/// Whether one sees through a scan or only its surface.
 enum class ScanLook : std::uint8_t { translucent, surface };
 
-/// A volume as it is drawn from its samples.
+/// A body of samples on a grid, such as a CT scan, and how it is drawn.
 struct Scan {
     ScanId id{};
-    /// Version of all samples, colours and materials. They are examined only if it differs from the last
-    /// drawing of this id.
+    /// Version of all samples, colours and materials. They are examined only if it differs from that at the
+    /// last drawing of the scan with this id.
     std::uint64_t version{};
     /// Samples along x, y, z: at least 2 and at most what OpenGL allows (GL_MAX_3D_TEXTURE_SIZE) each,
     /// otherwise the scan is not drawn.
@@ -72,7 +73,8 @@ struct Scan {
     ScanSamples samples{};
     /// For samples of type float, the values that mean density 0 and 1; integers use their whole range.
     float low = 0, high = 1;
-    /// Version of each brick, x contiguous. Bricks with a new version are sent. Empty: all bricks are sent.
+    /// Version of each brick (cube of 8^3 samples), x contiguous. Bricks with a new version are sent. Empty:
+    /// all bricks are sent.
     std::span<const std::uint32_t> brick_versions{};
     /// Factor for the colour of each sample, stored as the square root of the factor. Empty: 1.
     std::span<const field::Rgb8> colours{};
@@ -86,11 +88,12 @@ struct Scan {
 
     ScanLook look = ScanLook::translucent;
     // Values of a translucent scan:
-    const ScanTable* table{};  ///< transfer function; null: not drawn
+    const ScanTable* table{};  ///< colour and opacity by density; null: the scan is not drawn
     float unit = 0.01F;  ///< thickness of the layer to which the opacities of the table apply (m, own frame)
     /// true: shaded by sky and sun, with the density's gradient as normal; false: the matter glows.
     bool lit = false;
-    /// Distance between samples along a ray (in sample distances); a quick picture doubles it.
+    /// Distance between samples along a ray, in distances between the samples of the scan. It is doubled
+    /// while a picture has fewer rays than pixels, as quick ones have.
     float step = 0.5F;
     // Values of a surface:
     float level = 0.5F;  ///< density of the surface; denser places are inside

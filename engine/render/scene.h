@@ -71,10 +71,10 @@ struct Sky {
 /// Blends far objects into a colour; at the distance 0.83 / density the colour has a share of one half.
 struct Fog {
     fvec3 colour = render::colour(0x5C4470);
-    float density = 0.012F;  ///< density (1/m)
+    float density = 0.012F;  ///< density of the fog (1/m)
 };
 
-/// Light from all directions: from above and from the ground.
+/// Light that comes from all directions: one colour from above, one from the ground.
 struct Ambient {
     fvec3 above = 0.9F * render::colour(0x8078B8);
     fvec3 below = 0.9F * render::colour(0x4A3A48);

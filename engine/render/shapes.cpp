@@ -114,7 +114,7 @@ void add_box_bevels(MeshData& mesh) {
 // Revolution. Each edge of the profile becomes a separate band between two rings.
 
 struct Band {
-    fvec2 low, high;                // ends of the edge, as (radius, y)
+    fvec2 low, high;                // ends of the revolved edge, as (radius, y)
     fvec2 low_normal, high_normal;  // normals in the plane of the profile
 };
 
@@ -123,8 +123,8 @@ fvec2 edge_normal(fvec2 from, fvec2 to) {
     return {along.y, -along.x};
 }
 
-/// Normal at the point where two edges of the profile meet: the mean of both if they turn by less than
-/// `crease` (rad), else `own`.
+/// Normal at the point where two edges of the profile (the outline that is revolved) meet: the mean of both
+/// if they turn by less than `crease` (rad), else `own`.
 fvec2 shared_normal(fvec2 own, fvec2 other, float crease) {
     if (glm::dot(own, other) < std::cos(crease)) return own;
     return glm::normalize(own + other);
@@ -155,15 +155,15 @@ std::vector<Band> bands(std::span<const fvec2> profile, float crease) {
     return out;
 }
 
-/// A point (radius, y) of the profile, turned about the axis by `step` / `segments` of a full turn. `step`
-/// may be a half.
+/// A point (radius, y) of the profile (the outline that is revolved), turned about the axis by `step` /
+/// `segments` of a full turn. `step` may be a half.
 fvec3 turned(fvec2 p, float step, int segments) {
     const float angle = turn * step / static_cast<float>(segments);
     return {p.x * std::cos(angle), p.y, -p.x * std::sin(angle)};
 }
 
-/// Adds one vertex for each side of the band. On the axis the vertices have separate normals, each turned to
-/// the middle of its side.
+/// Adds a ring of one vertex for each side of the shape. Where the ring is a point on the axis, its vertices
+/// have separate normals, each turned to the middle of its side.
 std::uint32_t add_ring(MeshData& mesh, fvec2 point, fvec2 normal, int segments, fvec3 colour) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const float middle = point.x == 0 ? 0.5F : 0.0F;

@@ -35,15 +35,15 @@ struct Texel {
 struct SkinVertex {
     fvec3 position{0};
     fvec3 normal{0, 1, 0};  ///< normal of the skin, pointing out of the volume (unit)
-    float foam{};           ///< share covered by foam, 0 to 1
+    float foam{};           ///< share of the skin that foam covers here, 0 to 1
 };
 
 /// A body that emits and absorbs light. It lies below its skin (the surface through which the eye looks in)
 /// and within an ellipsoid, the round.
 struct Volume {
     VolumeId id{};
-    /// Version of texels and skin (upper surface). They are sent only if the version differs from the last
-    /// drawing of this id.
+    /// Version of texels and skin (upper surface). They are sent only if it differs from that at the last
+    /// drawing of the volume with this id.
     std::uint64_t version{};
     std::array<int, 3> cells{};       ///< texels along x, y, z; x is contiguous
     std::span<const Texel> texels{};  ///< one texel for each cell; otherwise the volume is not drawn
@@ -55,8 +55,9 @@ struct Volume {
     /// Absorption where alpha is 255 (1/m): light falls to 1/e over a length of 1 / thickness.
     float thickness = 4;
     std::span<const SkinVertex> skin{};
-    std::span<const std::uint32_t> skin_indices{};  ///< triangles, counter-clockwise seen from outside
-    fvec3 foam{0.8F};                               ///< colour of the foam, linear light
+    /// Triangles of the skin, counter-clockwise seen from outside.
+    std::span<const std::uint32_t> skin_indices{};
+    fvec3 foam{0.8F};  ///< colour of the foam, linear light
 };
 
 }  // namespace thaum::render

@@ -70,7 +70,7 @@ Torso::Torso(double half_width, double half_depth) : half_width_(half_width), ha
         const double across = half_width_ * det::cos(angle), deep = half_depth_ * det::sin(angle);
         return std::sqrt(across * across + deep * deep);
     };
-    // Adds the lengths of pieces of the ellipse by Simpson's rule.
+    // Adds the lengths of pieces of the torso's ellipse by Simpson's rule.
     for (std::size_t i = 1; i < quarter_.size(); ++i) {
         const double from = step * static_cast<double>(i - 1);
         quarter_[i] =

@@ -51,7 +51,8 @@ struct Pose {
     std::array<Transform, part_count> parts{};
 };
 
-/// Makes the transform of a rotation about a joint; a Transform itself rotates about the origin.
+/// Makes the transform of a rotation about a joint. It needs a translation, since a Transform rotates about
+/// the origin.
 Transform turned_about(vec3 joint, quat turn);
 
 /// Pose of a wizard whose hanging arms are raised forwards by these angles (rad). Each shoulder turns by half

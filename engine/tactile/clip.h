@@ -19,7 +19,7 @@ inline constexpr std::size_t clip_cells = 40;
 inline constexpr Tick clip_frame_ticks = 20;
 inline constexpr std::size_t max_clip_frames = 3000;  ///< largest number of frames: one minute
 
-/// The strengths of all cells in one frame of a clip.
+/// The strengths of all cells of a jacket in one frame of a recording.
 struct ClipFrame {
     std::array<std::uint8_t, clip_cells> strength{};  ///< strength of each cell, 0 to 100
 
@@ -34,7 +34,7 @@ struct Clip {
     bool operator==(const Clip&) const = default;
 };
 
-/// Place of a cell on the body.
+/// Place of a cell of the jacket on the body.
 BodyPoint clip_place(std::size_t cell);
 
 }  // namespace thaum::tactile

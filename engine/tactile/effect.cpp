@@ -10,7 +10,7 @@ namespace thaum::tactile {
 namespace {
 
 constexpr std::size_t max_effects = 1000;
-constexpr std::size_t longest_caption = 32;  // longest caption (letters)
+constexpr std::size_t longest_caption = 32;  // longest caption that an effect may have (letters)
 
 /// Curve that rises from 0 to 1; smooth if `smooth` is true, else straight.
 double eased(double x, bool smooth) { return smooth ? x * x * (3 - 2 * x) : x; }

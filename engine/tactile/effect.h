@@ -23,7 +23,7 @@ namespace thaum::tactile {
 
 /// Force that counts as full strength (N): that of the motors of the haptic jacket in paper 004.
 inline constexpr double full_force = 5;
-/// Speed of the skin over the grating (m/s).
+/// Speed at which the grating, the virtual ridges of an effect, is drawn over the skin (m/s).
 inline constexpr double skin_speed = 1;
 
 /// Time from the first beat of a heart to the second (ms).
@@ -31,7 +31,8 @@ inline constexpr double second_beat_ms = 160;
 /// Amplitude of the second beat as a share of the first one's.
 inline constexpr double second_beat = 0.6;
 
-/// How the force is made. `both` is the mean of the two.
+/// How a grating, the virtual ridges drawn over the skin, makes a force: along the normal of the flat wall
+/// beneath it (impact), or along the normal of the grating (vibration). `both` is the mean of the two.
 enum class Method : std::uint8_t { impact, vibration, both };
 
 /// What effects are for, such as blasts or warnings. Each purpose has a volume fader of its own.
@@ -82,25 +83,27 @@ struct Effect {
     std::string caption{};      ///< words on the screen while the effect is felt; empty: none
     bool important{};           ///< true: the caption is shown even to players who want few captions
     Method method{};
-    double weakest{};     ///< amplitude of the grating at strength 0 (m)
-    double strongest{};   ///< amplitude of the grating at strength 1 (m)
-    double wavelength{};  ///< wavelength of the grating (m)
-    double stiffness{};   ///< stiffness of the contact with the grating (N/m)
-    double damping{};     ///< damping of the contact with the grating (N s/m)
+    double weakest{};     ///< amplitude of the virtual ridges (the grating) at strength 0 (m)
+    double strongest{};   ///< amplitude of the virtual ridges (the grating) at strength 1 (m)
+    double wavelength{};  ///< distance between neighbouring ridges of the grating (m)
+    double stiffness{};   ///< stiffness of the skin's contact with the grating (N/m)
+    double damping{};     ///< damping of the skin's contact with the grating (N s/m)
     Envelope envelope{};
     Pattern pattern{};
     double speed{};       ///< speed of a wave that spreads over the skin (m/s)
     double reach{};       ///< distance at which a wave that spreads over the skin has faded away (m)
     double slowest_hz{};  ///< heartbeats a second at strength 0 (Hz)
     double fastest_hz{};  ///< heartbeats a second at strength 1 (Hz)
-    /// Length of a sweep, or of heartbeats that TactileMixer::start has begun (ms).
+    /// Duration of a sweep, or of the heartbeats after one call of TactileMixer::start (ms).
     double length_ms{};
-    std::vector<BodyPoint> places{};  ///< one or two places; empty: at the place that the caller gives
-    std::optional<BodyPoint> to{};    ///< place at which a sweep ends
-    /// Width of the felt spot along the two directions of the skin's chart (cells of the layout).
+    /// One or two places where the effect is felt; empty: where the caller says.
+    std::vector<BodyPoint> places{};
+    std::optional<BodyPoint> to{};  ///< place at which a sweep ends
+    /// Width of the felt spot along the two directions of the skin's chart, as the standard deviation of a
+    /// Gaussian (cells, the distances between neighbouring actuators).
     vec2 sigma_cells{0.7};
     std::string clip_file{};        ///< name of the .tact file beside the effect's own file
-    std::vector<ClipFrame> clip{};  ///< frames of a clip
+    std::vector<ClipFrame> clip{};  ///< frames of the recording in clip_file
     Purpose purpose{};
     /// Priority, 0 to 9. When no more effects can play at a time, a new effect replaces one of lower or equal
     /// priority.
@@ -108,18 +111,21 @@ struct Effect {
 
     /// Frequency of the carrier (Hz).
     double carrier() const { return skin_speed / wavelength; }
-    /// Amplitude of the grating for a strength from 0 to 1 (m).
+    /// Amplitude of the grating, the virtual ridges drawn over the skin, for a strength from 0 to 1 (m).
     double amplitude(double strength) const { return weakest + (strongest - weakest) * strength; }
-    /// Amplitude of the motors, 0 to 1: half of the force's swing over a period, as a share of full_force.
+    /// Amplitude of the motors, 0 to 1: half of the force's swing over a period, as a share of full_force (5
+    /// N).
     double level(double strength) const;
     /// Time until the effect is silent at every place (ms).
     double duration_ms() const;
 };
 
-/// Force of an effect at one moment, as a share of full_force.
+/// Force of an effect at one moment, as a share of full_force (5 N).
 struct Signal {
-    double into_skin{};   ///< component along the normal of the flat wall beneath the grating
-    double along_skin{};  ///< component along the wall beneath the grating; 0 for impacts
+    /// Component along the normal of the flat wall beneath the grating (the virtual ridges).
+    double into_skin{};
+    /// Component along the flat wall beneath the grating (the virtual ridges); 0 for impacts.
+    double along_skin{};
 };
 /// Force at a time since the beginning (ms), before any limit, for outputs that play the wave itself.
 Signal signal(const Effect& effect, double strength, double ms);
@@ -128,7 +134,8 @@ Signal signal(const Effect& effect, double strength, double ms);
 /// read; `load_effects` reads them.
 Expected<Effect> read_effect(const Config& file, std::string name);
 
-/// All effects of a program, sorted by name. An effect's number is its index.
+/// All effects of a program, sorted by name. An effect's number, by which the mixer is told to play it, is
+/// its index.
 struct EffectBank {
     std::vector<Effect> effects;
     std::vector<LeftOut> faulty{};  ///< effects that were left out because of faults, sorted by name

@@ -15,7 +15,7 @@
 namespace thaum::tactile {
 
 inline constexpr Tick frame_ticks = 8;
-inline constexpr std::size_t frame_capacity = 64;  ///< largest number of actuators
+inline constexpr std::size_t frame_capacity = 64;  ///< largest number of actuators in a frame
 
 /// Amplitudes of all actuators from one moment on.
 struct TactileFrame {

@@ -12,9 +12,10 @@
 //                       h(p_x) - p_z         where p_z <= h         force along the grating's normal n_r(p)
 //     F_r      = k dx + B x'                 while moving in, k dx otherwise
 //
-// Corrections to the printed text: the sine's bracket is not closed there; the second case of the second
-// method tests p_z <= h(p_x), written h(p_x(x)); the two cases of F_r are both printed for x' below zero, so
-// the second is read as x' >= 0. The damping resists deepening, so x' counts here as the speed of deepening.
+// Corrections to the text of the paper: the bracket of the sine is not closed there; the second case of the
+// second method tests p_z <= h(p_x), written h(p_x(x)); the two cases of F_r are both printed for x' below
+// zero, so the second is read as x' >= 0. The damping resists deepening, so x' counts here as the speed of
+// deepening.
 #pragma once
 #include "core/maths.h"
 

@@ -21,13 +21,13 @@ struct Actuator {
     BodyPoint place{};
     double lowest_hz{};   ///< lowest carrier frequency that the actuator plays (Hz)
     double highest_hz{};  ///< highest carrier frequency (Hz)
-    double limit{1};      ///< largest amplitude sent, 0 to 1
+    double limit{1};      ///< largest amplitude that the actuator gets, 0 to 1
 };
 
 /// A place on the chart (the flattened skin) of a region that has actuators.
 struct ChartPlace {
     Region region{};
-    vec2 at{};  ///< position on the chart (m)
+    vec2 at{};  ///< position on the chart, the flattened skin (m)
 };
 
 /// Actuators of one device, in the order in which the device expects them. Made by `make_layout`.
@@ -37,11 +37,12 @@ public:
     Torso torso{};
     std::vector<Actuator> actuators{};  ///< the actuators, 1 to max_actuators of them
 
-    /// Chart place at which a point of the body is rendered. A part without actuators is rendered on the
-    /// torso. A device without actuators on the torso renders only whether the point is to the left or to the
-    /// right.
+    /// Place, on the chart (the flattened skin) of a region with actuators, at which a point of the body is
+    /// rendered. A part without actuators is rendered on the torso. A device without actuators on the torso
+    /// renders only whether the point is to the left or to the right.
     ChartPlace chart_place(const BodyPoint& point) const;
-    /// Numbers of the actuators that render a region; never empty for a region of a ChartPlace.
+    /// Numbers of the actuators by which effects in a region of the body are felt. Never empty for the region
+    /// of a result of `chart_place`.
     std::span<const std::uint8_t> group(Region region) const;
     /// Place of an actuator on the chart (the flattened skin) of a region (m).
     vec2 chart_of(Region region, std::size_t actuator) const;

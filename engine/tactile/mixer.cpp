@@ -9,9 +9,9 @@
 namespace thaum::tactile {
 namespace {
 
-/// Smaller amplitudes are 0 for a motor with 256 steps.
+/// A motor with 256 steps plays smaller amplitudes as 0, so they count as 0.
 constexpr double min_amplitude = 1.0 / 256;
-/// Longest time since the last frame that a frame still covers with its effects (ms).
+/// A frame shows what effects do in the time since the last frame, but at most in this time (ms).
 constexpr double longest_frame = 1000;
 
 /// True for a jacket whose actuators are the cells of a clip, in their order.
@@ -364,10 +364,10 @@ void TactileMixer::release(Playing& playing, Tick now) {
     playing.released = now;
 }
 
-/// Adds the contribution of one effect to this frame. Returns false when the effect has ended, or begins in
-/// the future because time has jumped back.
+/// Adds the energy of one effect to the frame that is being made. Returns false when the effect has ended, or
+/// begins in the future because time has jumped back.
 bool TactileMixer::add(Playing& playing, Tick now, double ms) {
-    const Tick ahead = 2 * settings_.gap;  // longest time for which an event waits
+    const Tick ahead = 2 * settings_.gap;  // longest time for which an event waits to begin
     if (playing.begin > now) return playing.begin - now <= ahead;
     playing.felt = true;
     const auto& effect = effect_of(playing);

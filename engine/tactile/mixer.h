@@ -74,7 +74,8 @@ struct MixerCounts {
     /// Number of times that an actuator had to wait, because less than `gap` had passed since its last
     /// beginning.
     std::uint64_t held{};
-    std::uint64_t limited{};  ///< frames scaled down by the limit of the sum
+    /// Frames whose amplitudes were reduced, because the sum of all energies exceeded its limit.
+    std::uint64_t limited{};
     /// Calls of `drive` that were ignored, because there was no room for one more effect.
     std::uint64_t not_driven{};
 };
@@ -101,9 +102,9 @@ public:
     /// The frame that begins at `now`. Call it once every frame_ticks.
     const TactileFrame& mix(Tick now);
 
-    /// Number of effects that run.
+    /// Number of effects that play or wait to begin.
     std::size_t playing() const { return count_; }
-    /// Counts since the start.
+    /// Counts of events, effects and faulty values since the start.
     const MixerCounts& counts() const { return counts_; }
 
 private:
@@ -113,7 +114,8 @@ private:
 
     struct Playing {
         std::uint32_t effect{};
-        std::uint32_t key{};  ///< key of `drive`; 0: the effect plays to its end
+        /// Key under which `drive` keeps the effect playing; 0: it plays to its end by itself.
+        std::uint32_t key{};
         Tick begin{};
         Tick driven_at{};     ///< tick of the last call of `drive`
         double strength{};    ///< strength of the effect, 0 to 1
@@ -172,7 +174,8 @@ private:
     std::array<Shares, clip_cells> clip_shares_{};
     // Sum of the energies (squares of the amplitudes) of all effects in one frame, at each actuator.
     std::array<float, max_actuators> energy_{};
-    /// Largest energy of a single effect at each actuator. The effect with this energy gives the carrier.
+    /// Largest energy of a single effect at each actuator. The effect with this energy gives the actuator's
+    /// carrier frequency.
     std::array<float, max_actuators> strongest_{};
     std::array<bool, max_actuators> on_{};
     std::array<Tick, max_actuators> may_begin_{};

@@ -9,7 +9,8 @@ namespace {
 constexpr double min_sigma = 0.2;
 // Smallest share of the energy that an actuator keeps, relative to the largest share.
 constexpr double kept_share = 0.01;
-// Smallest such share that an actuator keeps if the place cannot be rendered otherwise.
+// Smallest share of the energy, relative to the largest one, that an actuator keeps if the place cannot be
+// rendered otherwise.
 constexpr double min_share = 1e-4;
 // Largest error of the felt place that is accepted when actuators are left out (cells, the distances between
 // neighbours).
@@ -44,8 +45,8 @@ vec2 reachable(const Layout& layout, const ChartPlace& place) {
     return place.at + glm::clamp(vec2(0), low, high);
 }
 
-/// Value at l of log Z, the function whose minimum gives the shares of the actuators (tactile/phantom.h), and
-/// the centroid of the shares there.
+/// Value at l of log Z, the function whose minimum gives the actuators' shares of the energy
+/// (tactile/phantom.h), and the mean of the actuators' positions there, weighted by the shares.
 struct Potential {
     double value{};
     vec2 centroid{};
@@ -68,7 +69,8 @@ Potential set_shares(Cells& cells, vec2 l) {
     return {largest + det::log(sum) + stiffening / 2 * glm::dot(l, l), centroid / sum};
 }
 
-/// Newton's step: the curvature of log Z is the covariance of the offsets under the shares.
+/// Newton's step towards the minimum of log Z, the function whose minimum gives the actuators' shares of the
+/// energy. Its second derivatives are the covariance of the actuators' positions, weighted by the shares.
 vec2 newton_step(const Cells& cells, vec2 centroid, vec2 slope) {
     double a = stiffening, b = 0, c = stiffening;
     for (std::size_t i = 0; i < cells.count; ++i) {

@@ -21,7 +21,7 @@ namespace thaum::tactile {
 /// Shares of the energy, one for each actuator; the sum is 1.
 using Shares = std::array<float, max_actuators>;
 
-/// Shares of the actuators by which a place between them is felt.
+/// Shares of the actuators in the energy with which a place between them is felt.
 struct PhantomResult {
     Shares shares{};
     std::uint8_t strongest{};  ///< number of the actuator with the largest share

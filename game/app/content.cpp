@@ -140,7 +140,8 @@ private:
         return files ? std::move(*files) : std::vector<fs::path>();
     }
 
-    /// Reads tools and devices that only the lab uses, and no match.
+    /// Reads the data files of tools and devices that only the lab (the viewer of scans and flows) uses, and
+    /// no match.
     void read_tools() {
         for (const auto& file : toml_in("devices")) {
             const auto config = config_of(text("devices/", file.filename().string()));
@@ -213,7 +214,8 @@ private:
         return text(table.place(missing.key), ": '", missing.key, "'");
     }
 
-    /// `folder`: the folder of the files that the program itself needs.
+    /// Reports names for which a file is missing. `folder` is where the file should be if no data file names
+    /// it, but the program itself needs it.
     void add_missing(const std::vector<MissingName>& all, std::string_view folder) {
         for (const auto& missing : all)
             add(missing.file.empty()

@@ -21,7 +21,7 @@ constexpr std::size_t longest_shown = 200;
 
 /// Which files a folder may hold.
 struct FolderRule {
-    Names endings;                     ///< endings of its files
+    Names endings;                     ///< allowed endings of the folder's files
     std::vector<std::string> names{};  ///< allowed names without ending; empty: any name
     std::string_view what{};           ///< noun for a file of this folder, for messages
 };

@@ -64,8 +64,8 @@ public:
     RecordedForces(Playback playback, std::uint32_t player)
         : playback_(std::move(playback)), player_(player), felt_(playback_.match().match().played) {}
 
-    /// Computes ahead until enough ticks are queued, or until about `budget_ns` ns have passed. Returns false
-    /// if the log has ended or the replay has diverged from the recorded match.
+    /// Replays the match ahead of the arm until enough forces are queued, or until about `budget_ns` ns have
+    /// passed. Returns false if the log has ended or the replay has diverged from the recorded match.
     bool fill(input::ArmPlayback& hand, std::int64_t budget_ns) {
         const auto end_ns = monotonic_ns() + budget_ns;
         while (hand.waiting() < ahead && monotonic_ns() < end_ns) {
@@ -74,8 +74,8 @@ public:
         }
         return true;
     }
-    /// Computes ahead until enough ticks are queued. Returns false if the log has ended or the replay has
-    /// diverged from the recorded match.
+    /// Replays the match ahead of the arm until enough forces are queued. Returns false if the log has ended
+    /// or the replay has diverged from the recorded match.
     bool fill(input::ArmPlayback& hand) {
         while (hand.waiting() < ahead) {
             if (!fill(hand, look_ns)) return false;

@@ -30,7 +30,7 @@ public:
     /// Makes the folder. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<Shots> create(ShotPlan plan, const MatchData& data, const std::filesystem::path& assets);
     /// Saves the picture that is due in the playback's state now; at most one per tick. Call it after each
-    /// tick, so that pictures show what was heard and felt.
+    /// tick, since the pictures also show sounds and body effects, which follow the match tick by tick.
     Expected<void> follow(const Playback& playback);
     /// Marks all pictures so far as true to the record; call this when a state hash has agreed.
     void confirm() { unconfirmed_.clear(); }
@@ -46,7 +46,7 @@ private:
 
     ShotPlan plan_;
     Still still_;
-    std::unique_ptr<Senses> senses_;  ///< null if a data file has a fault
+    std::unique_ptr<Senses> senses_;  ///< what is heard and felt; null if a data file has a fault
     std::size_t next_at_ = 0, next_mark_ = 0, taken_ = 0;
     /// Value of EventJournal::count (number of events so far) when events were last read.
     std::uint64_t seen_ = 0;

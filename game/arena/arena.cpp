@@ -44,8 +44,8 @@ void read_bowl(const ConfigTable& table, Arena& arena, Body& body) {
     const BowlSize size{.radius = table.number("radius", extent),
                         .height = table.number("height", extent),
                         .thickness = table.number("thickness", {0.01, 1})};
-    // With these limits, the bowl's solid bottom is within the lowest fifth of its height. So the bowl is
-    // hollow wherever the data file may put the surface of the brew.
+    // With these limits, the bowl's solid bottom is within the lowest fifth of its height. So there is hollow
+    // space below the brew, wherever the data file may put the brew's surface.
     if (size.thickness > 0.2 * size.height || size.thickness > 0.4 * size.radius)
         table.report("thickness",
                      text("'thickness' is ", size.thickness,
@@ -144,8 +144,8 @@ void refuse_outside(const ConfigTable& table, const GroundBounds& ground, vec3 a
                            ground.high.x, ", z from ", ground.low.z, " to ", ground.high.z));
 }
 
-/// Calls add(place) for the entry's position and for that of its mirrored or turned copy. A position outside
-/// of the ground is an error.
+/// Calls add(place) for the position of an entry of the arena's file, and for that of its mirrored or turned
+/// copy. A position outside of the ground is an error.
 template <class Add>
 void read_places(const ConfigTable& table, const GroundBounds& ground, Add&& add) {
     const auto at = table.vector("position", place);
@@ -203,7 +203,8 @@ void read_pads(const ConfigTable& root, const GroundBounds& ground, Arena& arena
     if (!starts[0] || !starts[1]) root.report("pad", "each of the players 0 and 1 needs a pad to start from");
 }
 
-/// Reads `[range]`. Without this table, practice takes place at the pads where players start.
+/// Reads `[range]`, the places of player and dummy on the practice range. Without this table, practice takes
+/// place at the pads where players start.
 void read_practice(const ConfigTable& root, const GroundBounds& ground, Arena& arena) {
     constexpr std::array<std::string_view, 2> names{"player", "dummy"};
     const auto range = root.table("range");

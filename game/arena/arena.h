@@ -28,10 +28,10 @@ struct BowlPlace {
     bool operator==(const BowlPlace&) const = default;
 };
 
-/// Place where an ingredient is picked up.
+/// Niche of the cauldron: a place where wizards pick up an ingredient.
 struct NichePlace {
     std::string ingredient;
-    vec3 position{};  ///< position on the ground (m, world)
+    vec3 position{};  ///< position of the niche on the ground (m, world)
     bool operator==(const NichePlace&) const = default;
 };
 
@@ -45,12 +45,12 @@ struct Arena {
     std::string name;
     /// Meshes of ramps and bowls; Body::mesh is an index into this list.
     std::vector<physics::TriangleMesh> meshes;
-    std::vector<Thing> things;  ///< static bodies and props, in the order of the file
+    std::vector<Thing> things;  ///< static bodies and props (loose things), in the order of the file
     std::vector<vec3> anchors;
     std::vector<Pad> pads;
     std::vector<PowerUpPlace> power_ups;
     std::optional<BowlPlace> bowl;
-    std::vector<NichePlace> niches;  ///< places to pick up ingredients for the cauldron
+    std::vector<NichePlace> niches;  ///< niches, places where wizards pick up ingredients for the cauldron
     /// places of the player and of the dummy on the practice range
     std::array<Pad, 2> practice{};
     bool operator==(const Arena&) const = default;

@@ -8,8 +8,8 @@ Basin basin_of(const BowlSize& bowl, double filled) {
     const auto whole = bowl_profile(bowl);
     const double level = level_of(bowl, filled);
     Basin basin;
-    // The second part of the profile is the inside of the bowl, from the rim down. Its first point follows
-    // the profile's highest point.
+    // The profile, the outline of half of the bowl's cross-section, first follows the outside up to the rim,
+    // its highest point. After that point it follows the inside down.
     const auto top = std::max_element(whole.begin(), whole.end(), [](vec2 a, vec2 b) { return a.y < b.y; });
     for (auto at = top + 1; at != whole.end(); ++at) {
         const vec2 before = *(at - 1);

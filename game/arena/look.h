@@ -32,7 +32,7 @@ struct BannerLook {
 struct TowerLook {
     vec3 foot{};      ///< middle of the tower's base (m, world)
     double radius{};  ///< radius at the base (m)
-    double height{};  ///< height of the shaft (m)
+    double height{};  ///< height of the tower's shaft (m)
     bool operator==(const TowerLook&) const = default;
 };
 
@@ -54,7 +54,8 @@ struct ArenaLook {
     Tint above{0x8078CC, 0.85}, below{0x5C4254, 0.8};  ///< light of the sky, and light from the ground
     bool merlons = true, pilasters = true;  ///< true: the outer walls have merlons; true: they have pilasters
     double lamp_height{3.4};                ///< height of the lamps on the outer walls (m, world)
-    std::vector<vec3> lamps;                ///< positions of further lamps (m, world)
+    std::vector<vec3> lamps;                ///< positions of lamps besides those on the outer walls (m,
+                                            ///< world)
     std::vector<BannerLook> banners;
     std::vector<TowerLook> towers;
     MenuCameraLook menu_camera;

@@ -121,7 +121,7 @@ public:
         return true;
     }
 
-    /// Reports a wizard who would fall on appearing.
+    /// Reports a place without ground at the feet, where a wizard who appears would fall.
     void check_ground(const ConfigTable& table, std::string_view key, vec3 feet) const {
         double ground = -1e9;
         for (const auto& solid : arena_.things) {
@@ -142,7 +142,7 @@ public:
 
 private:
     const Arena& arena_;
-    /// Line numbers of the solids, in the order of the arena's static things.
+    /// Line numbers of the solids in the arena's file, in the order of the arena's static things.
     std::vector<std::string> lines_;
 };
 

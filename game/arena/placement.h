@@ -5,9 +5,9 @@
 
 namespace thaum::game::inline arena {
 
-/// Reports every prop, pad (place where a wizard starts) and place of the practice range that lies inside of
-/// a solid, and every place where a wizard appears without ground below. `root`: the root table of the
-/// arena's file.
+/// Reports every prop (loose thing), pad (place where a wizard starts) and place of the practice range that
+/// lies inside of a solid, and every place where a wizard appears without ground below. `root`: the root
+/// table of the arena's file.
 void check_placement(const ConfigTable& root, const Arena& arena);
 
 }  // namespace thaum::game::inline arena

@@ -19,9 +19,9 @@ physics::TriangleMesh ramp_along_x(vec3 size, bool rises_east) {
     // high edge.
     mesh.vertices = {{-high, -h.y, -h.z}, {-high, -h.y, h.z}, {high, -h.y, h.z},
                      {high, -h.y, -h.z},  {high, h.y, h.z},   {high, h.y, -h.z}};
-    quad(mesh, 0, 3, 2, 1);  // the base, whose front side faces down
-    quad(mesh, 0, 1, 4, 5);  // slope
-    quad(mesh, 3, 5, 4, 2);  // back
+    quad(mesh, 0, 3, 2, 1);  // base of the ramp, whose front side faces down
+    quad(mesh, 0, 1, 4, 5);  // slope of the ramp
+    quad(mesh, 3, 5, 4, 2);  // upright back of the ramp
     mesh.triangles.push_back({1, 2, 4});
     mesh.triangles.push_back({0, 5, 3});
     if (!rises_east) {  // mirroring along x has turned counter-clockwise triangles clockwise
@@ -64,7 +64,8 @@ std::vector<vec2> bowl_profile(const BowlSize& size) {
 physics::TriangleMesh bowl(const BowlSize& size) {
     const auto profile = bowl_profile(size);
     physics::TriangleMesh mesh;
-    // A profile point on the axis becomes one vertex, every other one a ring of vertices.
+    // A point of the profile (the outline that is turned about the axis) becomes one vertex if it lies on the
+    // axis, otherwise a ring of vertices.
     std::vector<std::uint32_t> first;
     for (const auto& p : profile) {
         first.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));

@@ -15,9 +15,9 @@ inline constexpr std::array<std::string_view, 4> rise_names{"east", "west", "nor
 physics::TriangleMesh ramp(vec3 size, Rise rise);
 
 struct BowlSize {
-    double radius{};     ///< radius of the rim (m)
+    double radius{};     ///< radius of the bowl's rim (m)
     double height{};     ///< height of the whole bowl (m)
-    double thickness{};  ///< thickness of the wall (m)
+    double thickness{};  ///< thickness of the bowl's wall (m)
     bool operator==(const BowlSize&) const = default;
 };
 

@@ -5,11 +5,11 @@
 
 namespace thaum::game::inline arena {
 
-/// How an entry is placed a second time: not at all, as its mirror image at -z (`mirror`), or turned by 180
-/// degrees about the vertical axis through the origin (`turned`).
+/// How an entry of an arena's file is placed a second time: not at all, as its mirror image at -z (`mirror`),
+/// or turned by 180 degrees about the vertical axis through the origin (`turned`).
 enum class Symmetry : std::uint8_t { none, mirror, turned };
 
-/// Reads the keys `mirror` and `turned` of an entry. Both true is an error.
+/// Reads the keys `mirror` and `turned` of an entry in an arena's file. Both true is an error.
 Symmetry read_symmetry(const ConfigTable& table);
 
 /// Position of the second copy of a thing at `place` (m, world).

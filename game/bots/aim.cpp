@@ -45,7 +45,7 @@ void wander_aim(const Seat& seat, Mind& mind) {
 vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind, double lead) {
     const double flight = self.shot.speed > 0 ? glm::distance(self.eye, mind.foe) / self.shot.speed : 0;
     vec3 moved = mind.foe_velocity * (lead * (seconds(seat.skill.reaction) + flight));
-    moved.y = 0;  // a jump ends soon, so it is not extrapolated
+    moved.y = 0;  // a foe's jump ends soon, so its vertical motion is not extrapolated
     return mind.foe + moved;
 }
 
@@ -77,8 +77,8 @@ bool seen_within(const Mind& mind, double duration, Tick tick) {
     return mind.foe_seen_at != 0 && tick - mind.foe_seen_at <= ticks(duration);
 }
 
-/// Holds fire until the wand is charged or drawn as wanted and the view has reached its aim, then releases
-/// fire.
+/// Holds fire until the wand is charged, or drawn like a bow, as far as wanted and the view has reached its
+/// aim. Then releases fire.
 void ready_and_let_go(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
     // The bot lets go when at most this much is missing of the wanted charge, or of the wanted draw of a wand
     // that is drawn like a bow (0 to 1).

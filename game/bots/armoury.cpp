@@ -37,9 +37,9 @@ bool hidden(const Mind& mind, Tick tick) {
            tick < mind.foe_seen_at + ticks(1.2);
 }
 
-/// How far to draw a wand before a throw over this distance, 0 to 1; more is faster. The throw is 1.5 times
-/// as fast as the slowest throw that reaches the foe, so that it is flat. Over cover it is only 1.05 times as
-/// fast.
+/// How far to draw a wand (like a bow) before a throw over this distance, 0 to 1; the farther it is drawn,
+/// the faster the missile. The throw is 1.5 times as fast as the slowest throw that reaches the foe, so that
+/// it is flat. Over cover it is only 1.05 times as fast.
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     const double reach =
         prospect.up + std::sqrt(prospect.up * prospect.up + prospect.distance * prospect.distance);

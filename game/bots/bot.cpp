@@ -26,7 +26,7 @@ namespace hand = input::hand;
 
 constexpr double reached = 1.2;      ///< distance from mind.goal at which the bot counts it as reached (m)
 constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot counts as stuck (m/s)
-constexpr Range distances{0, 100};   ///< distances in a level's file (m)
+constexpr Range distances{0, 100};   ///< allowed distances in a level's file (m)
 /// Time outside of the large connected regions of the ground (WalkGrid) after which a bot walks straight to
 /// the nearest region. A bot that only passes through such a place is out of it sooner.
 constexpr Tick stranded_after = ticks(2.0);
@@ -121,7 +121,7 @@ vec3 way_to_goal(const BotTurn& turn) {
     auto& mind = turn.mind;
     const vec3 step = next_step(turn, mind.goal);
     if (glm::length(step) > 0) return step;
-    mind.goal_until = turn.tick;  // the goal is reached, or there is no way to it
+    mind.goal_until = turn.tick;  // now another goal is chosen: this one is reached, or has no way
     const vec3 last = vec3(mind.goal.x, 0, mind.goal.z) - vec3(self.centre.x, 0, self.centre.z);
     const bool same_cell = grid.cell_at(mind.goal) == grid.cell_at(self.centre);
     return same_cell && glm::length(last) > 0.3 ? last : vec3(0, 0, 0);
@@ -157,8 +157,8 @@ vec3 way_in_a_fight(const BotTurn& turn) {
     return safe(way) ? way : next;
 }
 
-/// Direction of walking. An errand comes first. In sight of the foe the bot fights. Otherwise it goes to the
-/// foe's last known place, then to random places.
+/// Direction of walking. An errand, such as to fetch a power-up or to hide, comes first. In sight of the foe
+/// the bot fights. Otherwise it goes to the foe's last known place, then to random places.
 vec3 choose_way(const BotTurn& turn) {
     const auto& self = turn.self;
     auto& mind = turn.mind;

@@ -20,12 +20,12 @@ inline constexpr int easiest_bot = 0, hardest_bot = 3;
 /// Skill in the use of a wand that takes up and throws loose things.
 struct LiftSkill {
     double share{};          ///< share of opportunities at which the bot takes something up; 0: never
-    double seek{};           ///< largest walk to a thing (m)
+    double seek{};           ///< longest way that the bot walks to a thing to take it up (m)
     double largest{};        ///< largest size of a thing, from its middle to its corners (m)
     double lead{};           ///< share of the foe's motion that a throw takes into account
     double within{};         ///< angle between present and wanted throw below which the bot throws (rad)
     Tick hold{};             ///< ticks for which the bot waits for a good throw
-    Tick rest{};             ///< mean time from one thing to the next (ticks)
+    Tick rest{};             ///< mean time between taking up two things (ticks)
     std::uint32_t guards{};  ///< 1: while shots come, the bot holds a thing as a shield
     std::uint32_t spare{};
     THAUM_FIELDS(LiftSkill, share, seek, largest, lead, within, hold, rest, guards, spare);
@@ -34,9 +34,9 @@ struct LiftSkill {
 /// Skill in stirring the cauldron.
 struct StirSkill {
     double share{};  ///< share of opportunities at which the bot goes to the cauldron; 0: never
-    double seek{};   ///< largest walk to the cauldron (m)
+    double seek{};   ///< longest way that the bot walks to the cauldron (m)
     Tick hold{};     ///< largest time of stirring (ticks)
-    Tick rest{};     ///< time between two visits (ticks)
+    Tick rest{};     ///< time between two visits to the cauldron (ticks)
     /// Share of the opportunities without a foe in sight at which the bot brews a potion; 0: never.
     double brew{};
     THAUM_FIELDS(StirSkill, share, seek, hold, rest, brew);
@@ -80,7 +80,7 @@ struct BotSkill {
     /// Share of the choices of a wand in which the bot takes a slow one: one that must be charged or drawn
     /// before it shoots.
     double variety{};
-    double charge{};      ///< largest charge or draw of a slow wand, 0 to 1
+    double charge{};      ///< largest charge of a slow wand, or draw of one drawn like a bow, 0 to 1
     double throws{};      ///< share of the choices of a slow wand that take one whose shots fly on a parabola
     double over_cover{};  ///< probability, in each gameplay tick, to throw over what hides the foe
     LiftSkill lift{};
@@ -100,7 +100,7 @@ BotSkill read_marksmanship(const ConfigTable& table);
 /// Loads the skill of a level. The error is one line: a level that does not exist, or a fault in its file.
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level);
 
-/// Device of a bot. Its counts are those of a mouse.
+/// Device by which a bot plays. Its motion is given in counts, like that of a mouse.
 input::DeviceSpec bot_device(std::uint32_t player, int level);
 
 /// All bots of a match.

@@ -17,8 +17,8 @@ constexpr double gentle = 0.65, plain = 1.2, hard = 1.9;  // mean force of a gen
 
 const Cauldron& cauldron_of(const Simulation& match) { return match.world().single<Cauldron>(); }
 
-/// Place of the niche at which the wizard can pick up this ingredient: the nearest one that is not empty.
-/// std::nullopt if all are empty.
+/// Place of the niche (place of ingredients) at which the wizard can pick up this ingredient: the nearest one
+/// that is not empty. std::nullopt if all are empty.
 std::optional<vec3> niche_of(const BotTurn& turn, std::uint32_t ingredient) {
     const auto& world = turn.match.world();
     const auto from = world.get<Motion>(wizard_of(world, turn.seat.player)).position;
@@ -40,10 +40,10 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
     return share > 0 && glm::length(off - share * way) < clear;
 }
 
-/// Whether a straight way to a niche passes no other niche that holds an ingredient.
+/// Whether a straight way to a niche (a place of ingredients) passes no other niche that holds an ingredient.
 bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     const auto& match = turn.match;
-    // Distance by which the way must stay outside of the other niche's reach (m)
+    // Margin to the other niche, so that the bot does not pick up what lies there (m)
     constexpr double room = 0.5;
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
@@ -53,8 +53,9 @@ bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     return free;
 }
 
-/// Place to walk to for a niche: the niche, or a place beside it if another niche lies on the way. A wizard
-/// who walks over a niche takes the ingredient there, so the bot must avoid the other niche.
+/// Place to walk to for a niche (a place of ingredients): the niche itself, or a place beside it if another
+/// niche lies on the way. A wizard who walks over a niche takes the ingredient there, so the bot must avoid
+/// the other one.
 vec3 way_to_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     if (passes_no_niche(turn, from, niche)) return niche;
     const auto& grid = turn.grid;
@@ -100,8 +101,8 @@ StrokePath path_of(const Simulation& match, const Seat& seat, const StirPlan& pl
     return path;
 }
 
-/// Time in which the hand draws the path (ticks). The drag grows with the speed, so the wanted mean force
-/// gives the mean speed: force / viscosity.
+/// Time in which the hand draws the path (ticks). A hand that draws feels a drag proportional to its speed,
+/// so the wanted mean force gives the mean speed: force / viscosity.
 Tick time_of(const Simulation& match, const StrokePath& path) {
     const double speed = path.force / match.data().casting->viscosity;
     return std::max<Tick>(1, ticks(path.length / speed));

@@ -11,8 +11,8 @@ std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& r
 
 /// Next step of a bot that brews.
 enum class BrewTask : std::uint32_t {
-    fetch,  ///< walk to the niche of the next ingredient
-    carry,  ///< carry the ingredient to the rim, or stir there
+    fetch,  ///< walk to the place where the next ingredient lies
+    carry,  ///< carry the ingredient to the cauldron's rim, or stir there
     drop,   ///< let the ingredient fall into the brew
     draw,   ///< draw the next gesture
     done    ///< the potion is brewed, or can no longer succeed

@@ -12,7 +12,7 @@ struct BotDuel {
     std::unique_ptr<Simulation> match;
     Bots bots;
 
-    /// Input frame of both bots for the next tick.
+    /// Input of both bots for the next tick, as samples of their devices.
     input::InputFrame next_frame();
     /// Plays `count` ticks.
     void run(Tick count);

@@ -13,7 +13,8 @@ void note_round_end(const Match& match, LeagueMatch& result) {
     ++result.rounds;
 }
 
-/// Adds one gameplay tick to the times alive and without energy for a shot.
+/// Adds one gameplay tick to the time of each living player, and to the time without energy for a shot if the
+/// player lacks it.
 void note_energy(const Simulation& match, LeagueMatch& result) {
     match.world().view<const Wizard, const WandBelt, ecs::Without<Dead>>().each(
         [&](const Wizard& wizard, const WandBelt& belt) {

@@ -55,7 +55,7 @@ struct LeagueSummary {
     std::vector<double> round_s;                    ///< lengths of all rounds, sorted (s)
     std::uint32_t timed_out{};                      ///< number of rounds that ended because their time was up
     std::array<std::uint32_t, max_causes> kills{};  ///< kills by cause
-    std::uint32_t own_deaths{};                     ///< deaths that count as a kill of no player
+    std::uint32_t own_deaths{};                     ///< deaths for which no player is credited with a kill
     double median_round_s() const;
 };
 

@@ -20,7 +20,7 @@ constexpr double handy = 0.8;  ///< share of the wand's reach within which the b
 constexpr double too_near = 1.8;
 constexpr double near_foe = 3;       ///< distance of the foe below which the bot does not turn away (m)
 constexpr double far_foe = 15;       ///< distance of the foe beyond which no throw arrives (m)
-constexpr double min_harm = 8;       ///< least harm of a throw (HP)
+constexpr double min_harm = 8;       ///< least harm for which the bot throws a thing (HP)
 constexpr double carrying_cost = 8;  ///< estimated energy of the wand for carrying a thing
 constexpr double cost_per_kg = 0.3;  ///< further energy for each kilogram of that thing
 constexpr double walk_pace = 4;      ///< walking speed (m/s)
@@ -29,7 +29,7 @@ constexpr double time_to_take = 1;   ///< time to take a thing up (s)
 constexpr Tick come_time = ticks(3.0), take_time = ticks(1.4), press_time = ticks(0.03);
 constexpr Tick last_chance = ticks(1.0);
 constexpr Tick lull = ticks(0.3);
-constexpr double shield_height = 0.2;  ///< height of the guarded point above the body's middle (m)
+constexpr double shield_height = 0.2;  ///< height of the point that a shield guards, from mid-body (m)
 
 struct Lifter {
     const LoadedWand& wand;
@@ -216,10 +216,10 @@ Aim aim_to_guard(const BotTurn& turn) {
 
 /// A throw from the thing's position: the wanted direction and the present one.
 struct Throw {
-    vec3 target{};  ///< target (m, world)
-    vec3 wanted{};  ///< wanted direction (unit, world)
-    vec3 actual{};  ///< present direction (unit, world)
-    double harm{};  ///< harm of a hit (HP)
+    vec3 target{};  ///< point that the throw is to hit (m, world)
+    vec3 wanted{};  ///< direction of a throw that would hit the target (unit, world)
+    vec3 actual{};  ///< direction of a throw at this moment (unit, world)
+    double harm{};  ///< harm if the thing hits the foe (HP)
 };
 
 vec3 along(Aim aim) { return look_rotation(aim.yaw, aim.pitch) * vec3(0, 0, -1); }

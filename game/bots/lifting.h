@@ -14,7 +14,8 @@ inline bool hands_full(const LiftPlan& lift_plan) {
 /// something else becomes more urgent.
 void plan_to_lift(const BotTurn& turn);
 
-/// Uses the wand for the thing while hands_full. Returns the wanted direction of view.
+/// Uses the wand for a thing that the bot takes up or holds (hands_full). Returns the wanted direction of
+/// view.
 Aim handle_thing(const BotTurn& turn);
 
 }  // namespace thaum::game::inline bots

@@ -20,7 +20,7 @@ struct Glimpse {
 /// A loose thing and the position at which the bot saw it last.
 struct Sighting {
     ecs::Entity thing{};
-    vec3 place{};  ///< position (m, world)
+    vec3 place{};  ///< position at which the bot saw the thing last (m, world)
     THAUM_FIELDS(Sighting, thing, place);
 };
 
@@ -37,7 +37,7 @@ struct Seat {
 struct Eyes {
     std::uint64_t looks{};
     std::array<Glimpse, bot_memory> glimpses{};
-    std::array<Tick, max_power_ups> back_at{};  ///< when each power-up is available again, as last seen
+    std::array<Tick, max_power_ups> back_at{};  ///< tick at which each power-up will be back, as last seen
     std::array<Sighting, max_things> things{};
     THAUM_COMPONENT(Eyes, looks, glimpses, back_at, things);
 };
@@ -62,10 +62,10 @@ struct Mind {
                             ///< the ground
     Tick dodge_until{};     ///< tick until which a stuck bot walks sideways to get free
     Tick wand_until{};      ///< tick until which the bot keeps its choice of wand
-    double readiness{};     ///< charge or draw to which the bot readies the chosen wand, 0 to 1
+    double readiness{};     ///< how far the bot charges the chosen wand, or draws it like a bow, 0 to 1
     Errand errand{};
-    std::int32_t strafe{};          ///< -1 left, 0 none, 1 right
-    std::int32_t wishes_to_move{};  ///< 1: the bot walks
+    std::int32_t strafe{};          ///< direction of the sideways step: -1 left, 0 none, 1 right
+    std::int32_t wishes_to_move{};  ///< 1: the bot means to walk
     /// Mouse counts by which the bot has still to turn its view before its next gameplay tick
     std::int32_t right_left{}, up_left{};
     std::int32_t move_strafe{}, move_forward{};  ///< input for walking sideways and forward, -127 to 127
@@ -89,9 +89,9 @@ enum class LiftStage : std::uint32_t { none, approach, take, hold };
 struct LiftPlan {
     ecs::Entity thing{};
     vec3 place{};                  ///< position at which the bot saw the thing last (m, world)
-    Tick until{};                  ///< tick at which the bot gives up the present stage
-    Tick not_before{};             ///< tick before which the bot chooses no other thing
-    Tick shots_from{}, shot_at{};  ///< ticks of the first and the last shot seen coming
+    Tick until{};                  ///< tick at which the bot gives up the present stage of lifting
+    Tick not_before{};             ///< tick before which the bot chooses no other thing to lift
+    Tick shots_from{}, shot_at{};  ///< ticks of the first and the last shot that the bot saw coming
     double off_left{}, off_up{};   ///< angles from the crosshair to the thing when it was taken up (rad)
     LiftStage stage{};
     std::uint32_t spare{};
@@ -107,21 +107,21 @@ enum class SwingStage : std::uint32_t { none, approach, aim, hang, fly };
 struct SwingPlan {
     /// Take-off (feet), point to which the rope attaches, landing (feet) (m, world)
     vec3 from{}, anchor{}, to{};
-    Tick until{};  ///< tick at which the bot gives up the present stage
+    Tick until{};  ///< tick at which the bot gives up the present stage of the swing
     Tick not_before{};
     SwingStage stage{};
     std::uint32_t spare{};
     THAUM_COMPONENT(SwingPlan, from, anchor, to, until, not_before, stage, spare);
 };
 
-/// Stages at the cauldron: walk to a niche for an ingredient, walk to the rim, stir.
+/// Stages at the cauldron: walk to a niche (a place of ingredients), walk to the cauldron's rim, stir.
 enum class StirStage : std::uint32_t { none, approach, stir, fetch };
 
 /// Plan of a bot at the cauldron.
 struct StirPlan {
     Tick until{};       ///< tick at which the bot gives up or stops stirring
     Tick not_before{};  ///< tick before which the bot does not go to the cauldron again
-    double health{};    ///< health at the beginning of stirring (HP)
+    double health{};    ///< health of the bot when it began to stir (HP)
     StirStage stage{};
     std::uint32_t recipe{no_potion};  ///< recipe that the bot brews; no_potion: it only stirs
     std::uint32_t dropped{};          ///< number of ingredients that the bot has seen in its brew
@@ -147,9 +147,9 @@ struct DrawingStyle {
 
 /// A slow sine wave that is added to a stroke, so that no two strokes are alike.
 struct Wobble {
-    double size{};    ///< amplitude (m)
-    double waves{};   ///< number of waves within the stroke
-    double begins{};  ///< phase of the wave at the start of the stroke (rad)
+    double size{};    ///< amplitude of the sine wave (m)
+    double waves{};   ///< number of periods of the sine wave within the stroke
+    double begins{};  ///< phase of the sine wave, the wobble, at the start of the stroke (rad)
     THAUM_FIELDS(Wobble, size, waves, begins);
 };
 
@@ -174,11 +174,11 @@ struct Self {
     vec3 centre{}, eye{}, velocity{};
     double yaw{}, pitch{};
     vec3 ahead{};                ///< direction of view (unit, world)
-    double health{};             ///< health left (HP)
+    double health{};             ///< health of the bot (HP)
     Tick hit_at{};               ///< tick at which the foe last hurt the bot; 0: never
     vec3 tip{};                  ///< position of the wand's tip (m, world)
     double energy_share{};       ///< energy of the wand in hand as a share of its cap
-    double readiness{};          ///< charge or draw of the wand in hand, 0 to 1
+    double readiness{};          ///< how far the wand in hand is charged, or drawn like a bow, 0 to 1
     ShotKind shot{};             ///< how the next shot of the wand in hand would fly
     std::uint32_t wand{};        ///< slot of the wand in hand
     bool can_shoot = false;      ///< true: there is energy for the next shot

@@ -11,7 +11,7 @@
 namespace thaum::game::inline bots {
 namespace {
 
-constexpr double body_radius = 0.4;  ///< radius of the swept sphere (m), a little more than a wizard's
+constexpr double body_radius = 0.4;  ///< radius of the sphere that tests ways (m); a wizard's is less
 /// Height above the highest ground from which the ground is searched downwards (m). Things higher up block no
 /// wizard.
 constexpr double headroom = 2.5;
@@ -19,7 +19,7 @@ constexpr double headroom = 2.5;
 constexpr double depth = 15;
 /// Largest height difference between neighbouring cells (m): ramps are walkable, ledges are not.
 constexpr double highest_step = 0.75;
-/// Least size of a large region, as a share of the largest region's size.
+/// Least size of a connected walkable region that counts as large, as a share of the largest region's size.
 constexpr double large_share = 0.25;
 
 /// A step to a neighbouring cell, in columns and rows.

@@ -42,8 +42,8 @@ public:
     /// The neighbour of `cell` that is nearest to the goal by number of steps; `cell` itself at the goal, or
     /// if there is no way.
     int next(int cell, const Ways& ways) const;
-    /// Whether the cell is in one of the large connected regions. The top of a block is in none, nor is a
-    /// cell that a thing fills in part.
+    /// Whether the cell is in one of the large regions of connected walkable cells. The top of a block is in
+    /// none, nor is a cell that a thing fills in part.
     bool in_large_region(int cell) const { return in_large_region_[static_cast<std::size_t>(cell)] != 0; }
     /// The neighbour of `cell` that is in a large region, at most a step above the feet, and nearest to them
     /// in distance and height; `cell` itself if there is none.

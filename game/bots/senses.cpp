@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t stride = 12;
 constexpr double noticed_within = 2.0;  ///< distance within which a thing is noticed without being seen (m)
 constexpr vec3 head{0, 0.5, 0};         ///< position of the head relative to the chest (m)
-constexpr double bolt_reach = 0.9;      ///< distance beyond which a passing bolt is ignored (m)
+constexpr double bolt_reach = 0.9;      ///< distance from the bot beyond which a passing bolt is ignored (m)
 /// Distance within which a passing shot counts as aimed at the bot (m).
 constexpr double shot_near = 2.0;
 constexpr double bolt_soon = 0.7;  ///< time until the impact beyond which a bolt is still ignored (s)
@@ -67,7 +67,7 @@ void judge(const Missile& missile, Threat& threat) {
     if (when <= 0 || when >= threat.soonest) return;
     const vec3 off = to_self - way * ahead;
     if (glm::length(off) > bolt_reach) return;
-    // Few missiles come so near, so the dearest test is the last one.
+    // Few missiles come so near, so the costliest test is the last one.
     if (!in_view(threat.match, threat.self, threat.seat, missile.position)) return;
     const vec3 right = look_rotation(threat.self.yaw, 0) * vec3(1, 0, 0);
     threat.soonest = when;

@@ -22,7 +22,7 @@ constexpr Tick brew_limit = ticks(40.0);
 constexpr Tick between_strokes = ticks(0.2);
 constexpr Tick way_limit = ticks(6.0);
 constexpr Tick unseen = ticks(1.5);
-constexpr Tick period = ticks(1.1);  ///< ticks of one circle
+constexpr Tick period = ticks(1.1);  ///< time in which a stirring hand draws one circle
 /// Mouse counts per tick while the hand draws a circle. With this number the circle uses the whole reach of
 /// the hand.
 constexpr double counts = 2.6;
@@ -80,7 +80,7 @@ bool begins_to_brew(const BotTurn& turn, const Cauldron& cauldron) {
     return true;
 }
 
-/// Begins the next stroke at the rim.
+/// Begins the next stroke of the recipe. The bot stands at the cauldron's rim.
 void begin_drawing(const BotTurn& turn, const Cauldron& cauldron) {
     auto& stir_plan = turn.stir_plan;
     const Tick tick = turn.tick;

@@ -11,12 +11,12 @@ std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& gr
 
 /// Whether the bot is crossing a gap; also true while it walks to the edge.
 inline bool roped(const SwingPlan& swing_plan) { return swing_plan.stage != SwingStage::none; }
-/// Whether the crossing occupies the bot's hands, which it does from aiming at the anchor on.
+/// Whether the crossing occupies the bot's hands, which it does once the bot aims at the point for its rope.
 inline bool hands_full(const SwingPlan& swing_plan) {
     return roped(swing_plan) && swing_plan.stage != SwingStage::approach;
 }
 
-/// Plans a crossing that is near and shortens the way to mind.goal by at least BotSkill::swing_gain.
+/// Plans to swing over a gap nearby if that shortens the way to mind.goal by at least BotSkill::swing_gain.
 void plan_to_swing(const BotTurn& turn);
 
 /// Presses the buttons for the crossing while `roped`. Returns the displacement that the bot wants to walk

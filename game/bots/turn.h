@@ -23,7 +23,7 @@ struct BotTurn {
     const Seat& seat;
     const WalkGrid& grid;                    ///< walkable ground of the arena
     const std::vector<Crossing>& crossings;  ///< all crossings of the arena
-    Tick tick;                               ///< ticks of play
+    Tick tick;                               ///< present tick of play
     Self self;                               ///< the bot's own wizard in this tick (self_of)
 
     // The members from here on are what the bot may change: its whole state, and caches.

@@ -26,11 +26,12 @@ struct Brew {
     fluid::SpringSurface surface;
     fluid::SpringSurfaceScratch scratch;
     Contents contents{no_ingredient, no_ingredient, no_ingredient};
-    /// Origin of the fluid's box (m, brew's frame). A point p of the brew is p - corner in the fluid's frame.
+    /// Origin of the box in which the fluid is computed (m, brew's frame). A point p of the brew is p -
+    /// corner in the fluid's frame.
     vec3 corner{};
 };
 
-/// Makes a brew at rest without ingredients. The error is that of check_brew (data/cauldron_rules.h).
+/// Makes a brew at rest without ingredients. The error names the setting that the fluid's solver rejects.
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
 /// Returns the substance of the fluid that stands for the ingredient, or else the first one that stands for

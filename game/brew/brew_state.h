@@ -11,11 +11,11 @@
 
 namespace thaum::game::inline brew {
 
-/// Makes the blobs for this brew. All samples are 0.
+/// Makes the World's arrays (blobs) that hold the state of this brew. All samples are 0.
 void make_brew_state(ecs::World& world, const Brew& brew);
 bool has_brew_state(const ecs::World& world);
 
-/// Copies the fluid to the World, or from there, as stored state `which`: 0 or 1.
+/// Copies the fluid to the World, or from there. The World stores two states of it; `which` is 0 or 1.
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid);
 void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid);
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::SpringSurface& surface);

@@ -18,18 +18,18 @@ using input::Button;
 
 // ---- the stroke -------------------------------------------------------------------------------------------
 
-/// Position of a hand that draws in the air, as a point of the stroke.
+/// Position of a hand that draws in the air, turned into a point of the stroke.
 vec3 point_in_air(const HandState& hand_state, const DrawnStroke& trace) {
     return hand_state.device.position + trace.beyond;
 }
 
-/// Position of a hand that draws on the brew with the ladle, as a point of the stroke.
+/// Position of a hand that draws on the brew with the ladle, turned into a point of the stroke.
 vec3 point_on_brew(const HandState& hand_state, const DrawnStroke& trace) {
     const vec3 at = hand_state.device.position + trace.beyond;
     return {at.x, -at.z, at.y};
 }
 
-/// Drops every second point of a full stroke, to make room for more.
+/// Drops every second point of a stroke that has reached its capacity, to make room for more.
 void thin(DrawnStroke& trace) {
     for (std::uint32_t i = 0; i < trace.count / 2; ++i) trace.points[i] = trace.points[2 * i];
     trace.count /= 2;
@@ -116,8 +116,8 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
 
 namespace {
 
-/// The reading for a key chord (a wand's key while Trace is held): the gesture of the spell's slot, with
-/// probability 1.
+/// The reading that replaces that of a stroke after a key chord (a wand's key while Trace is held): the
+/// gesture of the key's spell, with probability 1.
 Reading chord_reading(const MatchContext& context, const GestureSet& gestures, const Controls& controls) {
     const auto& rules = *context.data.casting;
     Reading reading;
@@ -155,7 +155,7 @@ bool is_at(const ecs::World& world, ecs::Entity wizard, StationKind kind) {
     return station != nullptr && station->kind == kind;
 }
 
-/// Updates the stroke of one wizard for one gameplay tick.
+/// In each gameplay tick, begins, continues or ends the stroke of one wizard.
 void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, DrawnStroke& trace) {
     auto& world = context.world;
     const auto& controls = std::as_const(world).get<Controls>(caster.wizard);
@@ -210,7 +210,8 @@ CastingAccess access_of_casting(const MatchContext& context) {
     CastingAccess access{.reads = world.mask<Wizard, Controls, Dead, Ladle, AtStation, Motion>(),
                          .writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog,
                                               resource::Journal, resource::Strokes>()};
-    // A spell may ask the wand in hand what the wand holds, so casting reads all that wands write.
+    // A spell may ask the wand in hand what it holds, so this system declares that it reads everything that
+    // any wand writes.
     for (const auto& wand : context.data.wands) access.reads |= wand.rules->writes(world);
     if (context.data.cauldron) {
         access.reads |= brew_by_stroke_reads(world);

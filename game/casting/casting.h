@@ -28,7 +28,7 @@ struct Caster {
 /// Stores the reading of a stroke, and casts the spell of its gesture. A wizard who stirs casts no spell.
 void act_on(MatchContext& context, const Caster& caster, const Reading& reading, const GestureSet& gestures);
 
-/// Components and resources that a system must declare if it calls act_on.
+/// Components and resources that a system must declare as read or written if it calls act_on.
 struct CastingAccess {
     ecs::Mask reads, writes;
 };

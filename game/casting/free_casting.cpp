@@ -15,7 +15,8 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
-/// Limit of mouse counts per tick, equal to the limit in player/controls.cpp.
+/// Limit of mouse counts (the smallest steps that a mouse reports) per tick, equal to the limit in
+/// player/controls.cpp.
 constexpr std::int32_t max_counts = 10'000;
 
 const input::DeviceSpec* free_device(const MatchContext& context, std::uint32_t player, std::size_t& number) {
@@ -41,7 +42,7 @@ void move_along(const MatchContext& context, std::uint32_t player, FreeHand& fre
     free.path += vec3(way(hand::look_right), way(hand::look_up), 0);
 }
 
-/// Position of the hand (m): from the arm, or from mouse and stick together.
+/// Position of the hand (m): from a real arm, or else from mouse and stick together.
 vec3 place_of(const MatchContext& context, ecs::Entity wizard, std::uint32_t player, const FreeHand& free) {
     if (plays_by_arm(context.world, player)) return context.world.get<HandState>(wizard).device.position;
     std::size_t number = 0;
@@ -54,7 +55,7 @@ vec3 place_of(const MatchContext& context, ecs::Entity wizard, std::uint32_t pla
     return free.path + vec3(stick_place(hand::turn_right), stick_place(hand::turn_up), 0);
 }
 
-/// Whether the hand is in use for something other than free casting.
+/// Whether the hand is in use for something else, so that its motion casts no spell without a button.
 bool is_busy(const ecs::World& world, ecs::Entity wizard) {
     constexpr auto other = bit(Button::fire) | bit(Button::trace) | bit(Button::clutch) | bit(Button::stir);
     return (world.get<Controls>(wizard).held & other) != 0 || world.has<Dead>(wizard) ||

@@ -19,7 +19,7 @@ namespace thaum::game::inline casting {
 /// Whether the device of a player has the option to cast without a button.
 bool casts_freely(const MatchContext& context, std::uint32_t player);
 
-/// Adds the systems of free casting. Does nothing if no player casts freely.
+/// Adds the systems that cast spells without a button. Does nothing if no player has this option.
 void add_free_casting_systems(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game::inline casting

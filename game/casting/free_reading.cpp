@@ -23,13 +23,13 @@ constexpr std::size_t points_before = 12;
 // which two terms with these weights are added, as in gesture/spotter.cpp: the logarithm of (speed before the
 // window / speed in it), and the squared logarithm of (duration / usual duration).
 constexpr double pace_weight = 0.14, duration_weight = 0.1;
-// Limits of the ratio of the speed before a window to the speed in it: lower ones come from a hand at rest,
-// higher ones from a hand in fast motion.
+// Limits of the ratio of the hand's speed before a window (part of the motion) to the speed in it. Lower
+// ratios come from a hand at rest, higher ones from a hand in fast motion.
 constexpr double min_pace = 0.1, max_pace = 3;
 /// Radius within which a hand counts as stopped, as a share of the gesture's size. Tremor stays within it.
 constexpr double stop_way = 0.03;
 
-/// The motion that may contain a gesture; its points lie in the reader's memory.
+/// The motion that may contain a gesture. Its points lie in memory that is used again for each reading.
 struct FreeMotion {
     std::span<const StrokePoint> points;
     std::array<double, free_points> way{};  ///< arc length from each point to the last one (m)
@@ -186,7 +186,8 @@ bool read_windows(const CastingRules& rules, const GestureSet& gestures, Reading
     while (read < windows_per_tick) {
         const auto begin = begin_of(motion, hand.windows);
         const bool same = hand.windows > 0 && begin == begin_of(motion, hand.windows - 1);
-        // The last window was already the whole motion, so longer ones are the same.
+        // The last window (part of the motion) was already the whole motion, so longer ones would be the
+        // same.
         if (same && begin == 0) break;
         ++hand.windows;
         if (same) continue;

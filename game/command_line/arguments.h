@@ -16,7 +16,7 @@
 namespace thaum::game::inline command_line {
 
 struct Option {
-    std::string_view name;   ///< name with its dashes: "--seed"
+    std::string_view name;   ///< name of the option with its dashes: "--seed"
     std::size_t values = 0;  ///< number of words that follow the option
     bool repeats = false;    ///< true if the option may be given more than once
     bool writes = false;     ///< true if its last value names a file that the command writes

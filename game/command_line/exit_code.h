@@ -6,8 +6,8 @@ namespace thaum::game::inline command_line {
 
 /// Exit codes of every command.
 inline constexpr int done = 0;
-inline constexpr int does_not_hold = 1;  ///< the checked thing failed its check
-inline constexpr int wrong_use = 2;      ///< wrong usage or input
+inline constexpr int does_not_hold = 1;  ///< what the command checked has failed its check
+inline constexpr int wrong_use = 2;      ///< wrong usage of the command, or wrong input
 
 /// Prints "thaum: message" to standard error and returns wrong_use.
 int refuse(const Error& error);

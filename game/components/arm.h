@@ -15,11 +15,13 @@ THAUM_FIELDS_OF(ArmState, servo, hand, offset, rest, position_um, rotation_urad,
 
 namespace thaum::game::inline components {
 
-/// A real arm held by one player.
+/// A real arm (force-feedback device) held by one player.
 struct Arm {
-    /// Servo state of the arm. The arm's own thread holds the same state, because both repeat the same steps.
+    /// State of the arm's force computation (servo) in the simulation. The arm's own thread has an equal
+    /// copy, because both threads compute the same steps from the same samples.
     input::ArmState state{};
-    /// Entities of the past haptic models, as a ring buffer: model n is at index n modulo the size.
+    /// Entities of the past haptic models (from which the servo computes forces), as a ring buffer: model n
+    /// is at index n modulo the size.
     std::array<ecs::Entity, input::remembered_models> models{};
     std::uint32_t player{};
     std::uint32_t device{};  ///< index of the arm among the match's devices
@@ -37,9 +39,9 @@ struct Arm {
     THAUM_COMPONENT(Arm, state, models, player, device, panic_left, rearm_left, away, still, still_um, spare);
 };
 
-/// One published haptics::HapticModel, from which the servo computes forces. It is kept because the arm may
-/// still send a sample computed with it. The model is stored as raw bytes, because only the servo reads it. A
-/// model has no padding (haptics/servo.h).
+/// One published haptic model (haptics::HapticModel), the description from which the arm's thread computes
+/// forces. It is kept because the arm may still send a sample computed with it. The model is stored as raw
+/// bytes, because only the servo reads it. A model has no padding (haptics/servo.h).
 struct PastModel {
     static_assert(sizeof(haptics::HapticModel) % sizeof(std::uint64_t) == 0);
     static constexpr std::size_t words = sizeof(haptics::HapticModel) / sizeof(std::uint64_t);

@@ -20,7 +20,7 @@ struct Motion : physics::BodyState {
     THAUM_COMPONENT(Motion, position, orientation, velocity, spin, idle_s, drowsy, asleep);
 };
 
-/// Collision layers.
+/// Collision layers: one bit for each kind of body.
 namespace layer {
 inline constexpr physics::Layers ground = 1U << 0U;
 inline constexpr physics::Layers prop = 1U << 1U;
@@ -72,7 +72,8 @@ struct Anchor {
 /// Place where a wizard starts a round or returns to life.
 struct Pad {
     vec3 feet{};             ///< position of the wizard's feet (m, world)
-    double yaw{};            ///< direction in which the wizard looks (rad)
+    double yaw{};            ///< direction in which a wizard who appears here looks: yaw to the left from -z
+                             ///< (rad)
     std::uint32_t player{};  ///< player who starts here: 0 or 1; 2: none
     std::uint32_t number{};
     bool operator==(const Pad&) const = default;

@@ -8,7 +8,7 @@
 
 namespace thaum::game::inline components {
 
-/// Focus of a wizard, spent on spells.
+/// Focus of a wizard, the supply that spells cost.
 struct Focus {
     double points{};
     THAUM_COMPONENT(Focus, points);
@@ -35,15 +35,16 @@ inline constexpr std::uint32_t by_chord = 2;
 struct DrawnStroke {
     std::array<DrawnPoint, max_drawn_points> points{};
     std::uint32_t count{};
-    std::uint32_t every{1};  ///< gameplay ticks between two points
-    std::uint32_t waits{};   ///< gameplay ticks until the next point
+    std::uint32_t every{1};  ///< gameplay ticks (of 8 ms) between two points
+    std::uint32_t waits{};   ///< gameplay ticks (of 8 ms) until the next point
     /// 0: the stroke is read when it ends; 1: it is not read, because the ladle or the orb's probe came or
     /// went while it was drawn; or by_chord.
     std::uint32_t over{};
-    std::uint32_t on_brew{};  ///< 1: the ladle draws on the brew
+    std::uint32_t on_brew{};  ///< 1: the stroke is drawn on the brew, with the ladle that stirs it
     /// 1: drawn by a wizard who searches (scries) the orb, so the stroke casts no spell
     std::uint32_t on_orb{};
-    vec3 home{};  ///< hand position that the player's input asked for before the stroke (m, device frame)
+    vec3 home{};  ///< hand position that the player's input had asked for when the stroke began (m, device
+                  ///< frame)
     /// Displacement of the stroke beyond the device's workspace (m, device frame). The simulated hand of a
     /// mouse player stops at the workspace's edge, but the stroke goes on.
     vec3 beyond{};
@@ -52,9 +53,9 @@ struct DrawnStroke {
     THAUM_COMPONENT(DrawnStroke, points, count, every, waits, over, on_brew, on_orb, home, beyond, reached);
 };
 
-/// Result of the last reading of a wizard's strokes, for the screen and for recipes.
+/// Result of the last reading of a wizard's strokes, for the screen and for the recipes of potions.
 struct LastReading {
-    Tick at{};             ///< tick of the reading; 0: none yet
+    Tick at{};             ///< tick of play at which the stroke was read; 0: none yet
     double probability{};  ///< probability that the gesture was meant, 0 to 1
     double force{};        ///< mean force of the stroke (N)
     /// Number of clockwise turns of a closed stroke; negative: counter-clockwise; 0: not closed.

@@ -14,18 +14,20 @@ namespace thaum::game::inline components {
 /// axis by `yaw`, which its carvers change.
 struct Crystal {
     vec3 middle{};         ///< middle of the crystal (m, world)
-    double yaw{};          ///< angle about the vertical axis (rad)
+    double yaw{};          ///< angle by which the crystal is turned about the vertical axis (rad)
     double turned{};       ///< angle by which carvers have turned the crystal in this tick (rad)
-    double size{};         ///< edge length (m)
+    double size{};         ///< length of the crystal's edges (m)
     std::uint64_t seed{};  ///< seed of the initial rough body and of the key, the shape to be carved
     /// Overlap of the body and the key (the shape to be carved), 0 to 1 (intersection over union); 0 while
     /// untouched.
     double overlap{};
-    std::uint32_t number{};  ///< index of the crystal's voxels in the blobs
-    /// 1: the crystal's voxels are in the blobs; 0: the crystal is still the rough body of its seed.
+    std::uint32_t number{};  ///< index of the crystal's voxels in the arrays (blobs) CrystalDensity and
+                             ///< CrystalColour
+    /// 1: the crystal's voxels are stored in the arrays CrystalDensity and CrystalColour; 0: they are not,
+    /// because the crystal is still the rough body of its seed.
     std::uint32_t touched{};
     Tick chipped{};                   ///< when a hit last chipped the crystal (ticks of play); 0: never
-    std::uint32_t carver{no_player};  ///< player who last used a tool on the crystal; no_player: none yet
+    std::uint32_t carver{no_player};  ///< player who last used a tool on the crystal; no_player: nobody yet
     std::uint32_t edits{};            ///< number of changes of the crystal's voxels so far
     THAUM_COMPONENT(Crystal, middle, yaw, turned, size, seed, overlap, number, touched, chipped, carver,
                     edits);
@@ -34,15 +36,15 @@ struct Crystal {
 inline constexpr int crystal_side = 48;  ///< number of voxels along each edge of a crystal
 inline constexpr std::size_t crystal_voxels = std::size_t{crystal_side} * crystal_side * crystal_side;
 
-/// Blob with the densities of all crystals, one after another (0: nothing, 1: solid). It is empty until a
-/// crystal is first touched or hit.
+/// Array in the World (blob) with the densities of all crystals, one after another (0: nothing, 1: solid). It
+/// is empty until a crystal is first touched or hit.
 struct CrystalDensity {
     using Element = float;
     static constexpr std::string_view name = "CrystalDensity";
 };
 
-/// Blob with the colours of all crystals, in the order of CrystalDensity: red, green, blue of each voxel, one
-/// after another (field::Rgb8).
+/// Array in the World (blob) with the colours of all crystals, in the order of CrystalDensity: red, green,
+/// blue of each voxel, one after another (field::Rgb8).
 struct CrystalColour {
     using Element = std::uint8_t;
     static constexpr std::string_view name = "CrystalColour";
@@ -55,7 +57,7 @@ struct Chisel {
     vec3 force{};             ///< force of the crystal on the hand (N, device frame turned to the world)
     vec3 last{};              ///< place of the tool when it last acted (m, crystal's frame)
     std::uint32_t cutting{};  ///< 1: the tool acts on the crystal
-    std::uint32_t blunt{};    ///< 1: while fire is held, the focus has run out, and the player was told so
+    std::uint32_t blunt{};    ///< 1: the player holds fire without focus, and was told so already
     THAUM_COMPONENT(Chisel, place, force, last, cutting, blunt);
 };
 

@@ -12,10 +12,10 @@ namespace thaum::game::inline components {
 /// Number of points that a FreeHand holds: one for each gameplay tick of 4 s.
 inline constexpr std::size_t free_points = 500;
 
-/// Why a motion that resembles a gesture cast no spell.
+/// Why a motion of the hand that resembles a gesture cast no spell.
 enum class Miss : std::uint32_t {
     none,
-    unclear,    ///< the reading was not certain enough
+    unclear,    ///< the probability of the gesture was too low
     too_fast,   ///< the gesture took too little time, or the reading was uncertain and the hand fast
     too_small,  ///< the gesture was too small
     too_soon,   ///< a spell was cast just before
@@ -23,18 +23,20 @@ enum class Miss : std::uint32_t {
 
 /// A part of the hand's motion that ends where the hand came to rest, with the gesture read from it.
 struct FreeWindow {
-    double score{};  ///< distance from the recorded strokes plus further penalties; smaller is better
+    double score{};  ///< how unlike a gesture the motion is: distance from the recorded strokes plus
+                     ///< penalties; smaller is better
     /// Probability that the gesture was meant, if half of all motions mean no gesture (0 to 1)
     double probability{};
     double needed{};          ///< probability that the gesture needs in order to cast its spell, 0 to 1
     double force{};           ///< mean force of the motion (N)
-    std::uint32_t gesture{};  ///< number of the gesture; no_gesture: nothing was read
-    Miss miss{};              ///< why this window cannot cast a spell
+    std::uint32_t gesture{};  ///< number of the gesture read from this part of the motion (window);
+                              ///< no_gesture: none was
+    Miss miss{};              ///< why this part of the motion (window) cannot cast a spell
     THAUM_FIELDS(FreeWindow, score, probability, needed, force, gesture, miss);
 };
 
-/// The motion of a wizard who casts freely (game/casting/free_casting.h). Only wizards of players with that
-/// option have this component.
+/// The motion of a wizard who may cast spells without a button (game/casting/free_casting.h). Only wizards of
+/// players with that option have this component.
 struct FreeHand {
     Tick newest{};   ///< tick of play of the newest point
     Tick cast_at{};  ///< tick of play of the last spell that was cast without a button; 0: none

@@ -57,13 +57,14 @@ struct HandState {
     haptics::SteadyForce steady_force{};  ///< steady force set by the wand in hand
     /// Spring to a point, set by the wand in hand.
     haptics::Tether tether{};
-    vec3 home{};  ///< position of the hand that the player's input asks for (m, device frame)
+    vec3 home{};  ///< position to which the player's input moves the hand, without what a wand adds (m,
+                  ///< device frame)
     /// Displacement from `home` that the wand in hand adds, for example a drawn sling (m, device frame).
     vec3 pull{};
     vec3 frame_origin{};           ///< origin of the device frame in the last tick (m, world)
     quat frame_turn{1, 0, 0, 0};   ///< orientation of the device frame in the last tick (device to world)
     std::uint64_t probe_number{};  ///< number that changes whenever the wand's tip has appeared or jumped
-    /// 1: surfaces around the wand's tip were given to the servo in the last tick
+    /// 1: surfaces around the wand's tip were among the servo's inputs for the force in the last tick
     std::uint64_t probing{};
     std::uint32_t panic_held{};  ///< 1 while the player holds the panic key, which switches forces off
     /// 1: in this tick the player pressed the panic key to switch forces on again

@@ -17,8 +17,9 @@ struct Match {
     Tick round_began{};      ///< value of `played` when the round began
     std::uint32_t waited{};  ///< ticks spent so far in the current interval between rounds
     Phase phase{};
-    Ending ending{};                  ///< how the last finished round ended
-    std::uint32_t winner{no_player};  ///< winner of the last finished round; no_player: none yet, or a draw
+    Ending ending{};                  ///< how the last finished round ended, such as by kills
+    std::uint32_t winner{no_player};  ///< player who won the last finished round; no_player: none yet, or a
+                                      ///< draw
     std::uint32_t round{};            ///< number of finished rounds, draws included
     std::array<std::uint32_t, 2> rounds_won{};
     std::uint32_t paused{};  ///< 1 while the match is paused
@@ -46,18 +47,20 @@ struct Dice {
 /// the list.
 enum class EventKind : std::uint32_t {
     none = 0,
-    shot = 1,        ///< a shot was fired; detail: EventKind of its hits
-    object_hit = 3,  ///< a loose thing hit a wizard; detail: Surface of the thing (components/body.h)
+    shot = 1,        ///< a shot was fired; detail: kind of event as which its hits are recorded
+    object_hit = 3,  ///< a loose thing hit a wizard; detail: surface of the thing (Surface in
+                     ///< components/body.h)
     fall = 4,
-    death = 5,  ///< a wizard died; detail: EventKind that caused the death
+    death = 5,  ///< a wizard died; detail: kind of event (EventKind) that caused the death
     spawn = 6,  ///< a wizard appeared at a pad, a place to start from; detail: the pad's number
     /// Fire was pressed without enough energy for a shot.
     dry = 7,
-    round_end = 8,  ///< a round ended; detail: Ending
-    /// A wizard picked up a power-up; detail: PowerUpKind; amount: health (HP) or energy given.
+    round_end = 8,  ///< a round ended; detail: how it ended (Ending)
+    /// A wizard picked up a power-up; detail: its kind (PowerUpKind); amount: health (HP) or energy given.
     power_up = 9,
-    round_begin = 10,  ///< a round began; detail: Match::round
-    burst = 13,        ///< a missile burst; detail: EventKind of its hits; amount: reach (m)
+    round_begin = 10,  ///< a round began; detail: its number (Match::round)
+    burst = 13,        ///< a missile burst; detail: kind of event as which its hits are recorded; amount:
+                       ///< reach (m)
     ingredient = 14,   ///< an ingredient was picked up; detail: its number
     dropped = 15,      ///< an ingredient was dropped into the brew; detail: its number; amount: volume (m^3)
     /// A player has become the owner of the brew; amount: that player's work in the last 1.5 s (J)
@@ -65,26 +68,32 @@ enum class EventKind : std::uint32_t {
     boiled_over = 17,  ///< the brew boiled over and lost its ingredients; subject: the owner
     spoilt = 18,       ///< a wizard was hurt by a brew that boiled over
     boon = 19,         ///< a well-mixed brew begins to heal its owner; amount: health that it can give (HP)
-    cast = 20,         ///< a spell was cast; detail: its number; amount: its strength, 1 for a gentle one
+    cast = 20,         ///< a spell was cast; detail: number of the spell; amount: its strength, 1 for a
+                       ///< gentle one
     /// A stroke was not recognised; detail: number of the nearest gesture; amount: its probability.
     unread = 21,
-    unfocused = 22,  ///< a spell failed for lack of focus; detail: its number; amount: the missing focus
-    fizzled = 23,    ///< a spell had nothing to act on; detail: its number
-    held_off = 24,   ///< a shield absorbed harm; detail: EventKind of the harm; amount: that harm (HP)
+    unfocused = 22,  ///< a spell failed for lack of focus; detail: number of the spell; amount: the missing
+                     ///< focus
+    fizzled = 23,    ///< a spell had nothing to act on; detail: number of the spell
+    held_off = 24,   ///< the Shield spell absorbed harm; detail: kind of event of the harm; amount: that harm
+                     ///< (HP)
     pushed = 25,     ///< a spell pushed a wizard; amount: the speed given to the wizard (m/s)
     // From here on, kinds of event about potions (32 to 47).
-    potion = 32,       ///< a wizard has brewed and drunk a potion; detail: its number; amount: time (s)
-    potion_over = 33,  ///< a potion stops acting on a wizard; detail: its number
-    brew_step = 34,    ///< a step of a recipe was right; detail: number of right strokes, 0: an ingredient
-    brew_fault = 35,   ///< a step of a recipe was wrong; detail: BrewFault
+    potion = 32,       ///< a wizard has brewed and drunk a potion; detail: number of the potion; amount: its
+                       ///< duration (s)
+    potion_over = 33,  ///< a potion stops acting on a wizard; detail: number of the potion
+    brew_step = 34,    ///< a step of a recipe was right; detail: number of right strokes so far, 0 if the
+                       ///< step was an ingredient
+    brew_fault = 35,   ///< a step of a recipe was wrong; detail: what was wrong (BrewFault)
     poison = 36,       ///< poison hurts a wizard
     /// A player learns the order of a recipe's ingredients, which is drawn at random; detail: number of the
     /// potion, then those of the ingredients, 8 bits each.
     recipe_told = 37,
     work_half = 38,  ///< a wizard holds Azoth or the Lens, which held together win a round (the Great Work)
     work_lost = 39,  ///< a wizard has lost Azoth or the Lens, halves of the Great Work, by dying
-    put_away = 40,   ///< a wizard has put a carried ingredient away; detail: its number
-    /// A wizard who already carries an ingredient stands at another niche; detail: the niche's ingredient.
+    put_away = 40,   ///< a wizard has put a carried ingredient away; detail: number of the ingredient
+    /// A wizard who already carries an ingredient stands at another niche; detail: number of the niche's
+    /// ingredient.
     hands_full = 41,
     caught = 42,  ///< a wand has caught a thing that flew at its wizard; amount: the thing's mass (kg)
     // From here on, kinds of event about the orb (48 to 55).
@@ -103,8 +112,8 @@ enum class EventKind : std::uint32_t {
     work_begun = 59,   ///< a wizard holds Azoth and the Lens; amount: time to hold both in order to win (s)
     work_broken = 60,  ///< a wizard no longer holds both Azoth and the Lens, so wins nothing by them
     work_done = 61,    ///< a wizard has completed the Great Work, which wins the round
-    blunt = 62,        ///< a wizard has no focus left for carving
-    tool_taken = 63    ///< a wizard carves with another tool; detail: its number
+    blunt = 62,        ///< a wizard who carves has no focus left, which this costs
+    tool_taken = 63    ///< a wizard carves with another tool; detail: number of the tool
 };
 
 /// Largest number of causes of harm: those of the rules and those of all wands together.
@@ -116,13 +125,13 @@ struct Event {
     std::uint32_t subject{no_player};  ///< player to whom the event happened
     std::uint32_t by{no_player};       ///< player who caused the event
     std::uint32_t detail{};
-    double amount{};  ///< health taken (HP), unless EventKind says otherwise
-    vec3 place{};     ///< position (m, world)
+    double amount{};  ///< health taken (HP), unless the comment on the event's kind says otherwise
+    vec3 place{};     ///< position of the event (m, world)
     THAUM_FIELDS(Event, tick, kind, subject, by, detail, amount, place);
 };
 
-/// Statistics of one player and one cause over the whole match: shots, effects on the other player, own
-/// deaths.
+/// Statistics of one player and one cause of harm over the whole match: shots, effects on the other player,
+/// own deaths.
 struct MatchStats {
     std::uint32_t shots{}, hits{}, kills{};
     /// Deaths of this player by this cause that do not count as kills of the other player.

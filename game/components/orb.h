@@ -33,7 +33,8 @@ inline constexpr std::size_t max_worn_modes = 2;
 /// the wizard leaves the orb.
 struct WornModes {
     std::array<std::uint32_t, max_worn_modes> worn{no_mode,
-                                                   no_mode};  ///< numbers of the modes, the oldest first
+                                                   no_mode};  ///< numbers of the active haptic modes, the
+                                                              ///< oldest first
     /// For each haptic mode, strength as a function of its property, as the rules give it or as the wizard
     /// drew it.
     std::array<field::TransferFunction, max_orb_modes> strength{};
@@ -52,10 +53,11 @@ struct Scrying {
     vec3 place{};       ///< position of the probe (m, world)
     vec3 force{};       ///< force of the haptic modes on the probe (N, device frame rotated to world axes)
     double distance{};  ///< distance of the probe from the hidden core (m, world)
-    Tick near_since{};  ///< when the probe came within reach of the core (ticks of play); 0: not within reach
+    Tick near_since{};  ///< when the probe came within reach of the orb's hidden core (ticks of play); 0: not
+                        ///< within reach
     vec3 pen{};         ///< position of the hand when it last drew a curve (m, device frame)
     std::uint32_t pen_down{};  ///< 1: the button Trace is held, and `pen` is valid
-    /// 1: the hand draws the strength curve of the newest haptic mode, and feels none meanwhile
+    /// 1: the hand draws the strength curve of the newest haptic mode, and feels no mode meanwhile
     std::uint32_t drawing{};
     THAUM_COMPONENT(Scrying, place, force, distance, near_since, pen, pen_down, drawing);
 };

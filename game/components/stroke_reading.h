@@ -7,7 +7,8 @@ namespace thaum::game::inline components {
 inline constexpr std::uint32_t no_gesture = 0xFFFF'FFFF;
 
 struct StrokeReading {
-    std::uint32_t gesture = no_gesture;  ///< number in GestureSet; no_gesture: no gesture was recognised
+    std::uint32_t gesture = no_gesture;  ///< number of the recognised gesture in the player's set;
+                                         ///< no_gesture: none was recognised
     /// Probability that the gesture was meant, 0 to 1. For an unrecognised stroke: probability that the
     /// nearest gesture was meant, if half of all strokes are no gesture at all.
     double probability{};

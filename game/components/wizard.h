@@ -25,7 +25,7 @@ struct Controls {
     std::int32_t strafe{};         ///< motion sideways, -127 to 127; positive: right
     std::int32_t forward{};        ///< forward motion, -127 to 127; negative: backward
     std::int32_t trigger{};        ///< position of the trigger, 0 to 255
-    std::int32_t wheel{};          ///< wheel steps since the last gameplay tick
+    std::int32_t wheel{};          ///< steps by which the mouse wheel was turned since the last gameplay tick
     /// Displacement of the hand in this tick while the player works at a station, or holds one of the buttons
     /// Clutch and Trace, which let the input move the hand instead of the view (um, device frame).
     std::int32_t hand_right{}, hand_up{}, hand_back{};
@@ -47,7 +47,8 @@ struct Gaze {
     THAUM_COMPONENT(Gaze, yaw, pitch);
 };
 
-/// How the wizard stands: state that physics::Mover, which moves the wizard's body, keeps between steps.
+/// How the wizard stands: the state that physics::Mover, which moves the wizard's body, needs again in the
+/// next tick.
 struct Stance : physics::MoverState {
     double rope_lift{};  ///< upward part of the rope's force (N)
     Tick loose_until{};  ///< tick before which the feet slip on the ground after a push
@@ -56,17 +57,17 @@ struct Stance : physics::MoverState {
 
 struct Health {
     double points{};           ///< health that the wizard has left (HP)
-    Tick shielded_until{};     ///< tick before which nothing hurts the wizard
-    Tick hurt_at{};            ///< tick of the last injury
-    std::uint32_t hurt_by{};   ///< player who caused the last injury; no_player: none
-    std::uint32_t hurt_how{};  ///< EventKind of the last injury
+    Tick shielded_until{};     ///< tick before which nothing hurts the wizard, after a return to life
+    Tick hurt_at{};            ///< tick of play at which the wizard was last hurt
+    std::uint32_t hurt_by{};   ///< player who last hurt the wizard; no_player: none
+    std::uint32_t hurt_how{};  ///< how the wizard was last hurt, an EventKind
     Tick foe_did_at{};         ///< tick at which the foe last hurt or pushed the wizard; 0: never
     double ward{};             ///< harm that the wizard's shield can still absorb (HP)
-    Tick ward_until{};         ///< tick at which the shield ends
+    Tick ward_until{};         ///< tick of play at which the Shield spell ends
     double harm_share{1};      ///< share of each harm that the wizard takes after a hardening potion, until
                                ///< `hardened_until`
     Tick hardened_until{};
-    double poison{};  ///< harm rate of a poison, until `poisoned_until` (HP/s)
+    double poison{};  ///< harm by poison for each second, until `poisoned_until` (HP/s)
     Tick poisoned_until{};
     std::uint32_t poisoned_by{};  ///< player who poisoned the wizard
     std::uint32_t spare{};
@@ -86,7 +87,7 @@ struct Blow {
     ecs::Entity by{};
     Tick began{};
     Tick counts_again{};  ///< tick before which another hit by the thing is ignored
-    double impulse{};     ///< impulse so far (N s); negative once the harm has been applied
+    double impulse{};     ///< impulse of the blow so far (N s); negative once the harm has been applied
     THAUM_FIELDS(Blow, by, began, counts_again, impulse);
 };
 
@@ -99,14 +100,14 @@ struct Blows {
 struct WandBelt {
     std::uint32_t selected{};
     std::uint32_t fired{};  ///< number of shots so far, over all wands
-    /// Energy of the wands by slot. A wand may share the energy of another wand's slot
-    /// (WandStats::energy_slot).
+    /// Energy of the wands, by slot (the number of a wand's key). A wand may share the energy of another
+    /// wand's slot (WandStats::energy_slot).
     std::array<double, wand_slots> energy{};
     /// Harm rate by poison that the next lob (a missile thrown in an arc) adds for those whom it hits (HP/s);
     /// 0: none.
     double venom{};
     Tick venom_until{};  ///< tick of play by which the poisoned missile must be thrown
-    Tick venom_lasts{};  ///< duration of the harm by the missile's poison (ticks)
+    Tick venom_lasts{};  ///< duration of the poison's harm to those whom the missile hits (ticks)
     THAUM_COMPONENT(WandBelt, selected, fired, energy, venom, venom_until, venom_lasts);
 };
 

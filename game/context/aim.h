@@ -4,12 +4,12 @@
 
 namespace thaum::game::inline context {
 
-/// Direction of view.
+/// Direction of view, as two angles.
 struct Aim {
     double yaw{}, pitch{};  ///< yaw counted to the left from -z, pitch upwards (rad)
 };
 
-/// Direction from the eye to a position.
+/// Direction of view from the eye towards a position.
 Aim aim_at(vec3 eye, vec3 target);
 
 /// Signed angle from the first direction to the second, the shorter way round (rad).

@@ -13,15 +13,16 @@ namespace {
 
 /// Angle between crosshair and foe within which the view turns more slowly (rad)
 constexpr double slow_zone = 4 * radians_per_degree;
-/// Share of the turning speed that is taken away at full strength, with the crosshair on the foe.
+/// Largest share of the player's turning speed that aim assist takes away: at full strength, with the
+/// crosshair on the foe.
 constexpr double max_slowed = 0.7;
-constexpr double draw_rate = 40;  ///< speed at which the view turns towards the foe, per angle that is left
-                                  ///< (rad/s per rad)
+constexpr double draw_rate = 40;  ///< speed at which aim assist turns the view towards the foe, per angle
+                                  ///< that is left (rad/s per rad)
 /// Largest speed at which the view is turned towards the foe (rad/s)
 constexpr double fastest_draw = 120 * radians_per_degree;
 constexpr double help_ends = 40;  ///< distance of the foe beyond which there is no aim assist (m)
 
-/// Strength of aim assist for a player, 0 to 1.
+/// How much the game helps a player to aim (aim assist), 0 (not at all) to 1 (fully).
 double strength_for(const MatchContext& context, std::uint32_t player) {
     if (!context.data.rules.aim_assist) return 0;
     double strength = 0;
@@ -31,7 +32,7 @@ double strength_for(const MatchContext& context, std::uint32_t player) {
     return strength > 0 && plays_by_arm(context.world, player) ? 0 : strength;
 }
 
-/// Where the foe's body is, as seen along the aim.
+/// Where the foe's body is, relative to the line along which the player aims.
 struct FoeBeside {
     vec3 point{};         ///< point of the axis of the foe's body that is nearest to the aim (m, world)
     double off{};         ///< angle from the aim to the nearest point of the foe's body (rad)
@@ -59,8 +60,8 @@ ecs::Entity foe_in_reach(const MatchContext& context, std::uint32_t player, vec3
     return glm::distance(centre, from) <= help_ends ? foe : ecs::Entity{};
 }
 
-/// Point at which a straight shot from `from` meets the middle of the walking foe (m, world). `speed` 0: the
-/// wand in hand has no straight shot.
+/// Point at which a straight shot from `from` meets the middle of the walking foe (m, world). If the wand in
+/// hand has no straight shot (`speed` 0), the present middle of the foe.
 vec3 meeting_point(const MatchContext& context, ecs::Entity foe, vec3 from, double speed) {
     const auto& body = context.physics.read().state(foe.index);
     if (!(speed > 0)) return body.position;
@@ -75,7 +76,7 @@ double speed_in_hand(const MatchContext& context, ecs::Entity wizard) {
     return shot && shot->fall == 0 ? shot->speed : 0;
 }
 
-/// Adds to `help` the turn of the view towards a point in this tick.
+/// Adds to `help` the angles by which aim assist turns the view towards a point in this tick.
 void draw_to(vec3 eye, vec3 point, const Gaze& gaze, double strength, ViewHelp& help) {
     const auto aim = aim_at(eye, point);
     const double left = angle_between(gaze.yaw, aim.yaw), up = aim.pitch - gaze.pitch;

@@ -20,7 +20,7 @@ inline constexpr double max_pull = 2 * radians_per_degree;
 
 /// What aim assist does to the view in one tick.
 struct ViewHelp {
-    double turn_share{1};  ///< share of the player's own turn that is kept: 1 without help
+    double turn_share{1};  ///< share of the player's own turn that aim assist leaves: 1 without help
     double left{}, up{};   ///< added turn of the view towards the foe, if the player gives any input (rad)
 };
 /// What aim assist does to the view of a wizard in this tick. Reads Wizard, Gaze, WandBelt, Dead, Arm and

@@ -3,7 +3,8 @@
 namespace thaum::game::inline context {
 namespace {
 
-/// Ticks without a sample after which an arm counts as gone, so that the simulated hand takes over.
+/// Ticks without a sample after which a real arm (force-feedback device) counts as gone, so that the
+/// simulated hand takes over.
 constexpr std::uint32_t gone_after = 250;
 
 }  // namespace

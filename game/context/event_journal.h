@@ -33,7 +33,7 @@ public:
         ++count_;
     }
 
-    /// Clears the journal and takes over the events that a restored state still contains.
+    /// Clears the journal, and takes over the events that a match restored from a saved state still contains.
     void restart(const EventLog& log) {
         const auto held = std::min<std::uint64_t>(log.count, log.events.size());
         count_ = first_ = log.count - held;

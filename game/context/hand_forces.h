@@ -6,7 +6,7 @@
 
 namespace thaum::game::inline context {
 
-/// Initial hand state, with the device at rest.
+/// State of a hand at the beginning of a match, with the device at rest.
 HandState empty_hand_state();
 
 /// Kicks the hand with half a sine wave: the recoil of a shot, for example. `newtons` is the peak for a
@@ -18,8 +18,8 @@ void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 /// chose.
 void kick_at_peak(MatchContext& context, ecs::Entity wizard, double share, Tick length);
 
-/// Kicks the hand of a wizard's player for a shot of that wizard's own wand. The player's fader for recoil
-/// scales the kick.
+/// Kicks the hand of a wizard's player for a shot of that wizard's own wand. The player's setting for the
+/// strength of recoil scales the kick.
 void recoil(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
 
 /// Sets a steady force on the hand (N, device frame), scaled like a kick. The force may vary smoothly over
@@ -30,11 +30,12 @@ void set_steady_force(MatchContext& context, ecs::Entity wizard, vec3 newtons);
 /// HandState.
 void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to);
 
-/// Removes the steady force, tether and displacement that a wand has set on the hand. Writes HandState.
+/// Removes what a wand has set on the hand: the steady force, the tether (a spring to a point) and the
+/// displacement. Writes HandState.
 void let_go(MatchContext& context, ecs::Entity wizard);
 
-/// Position of the wand's tip (m, eye frame). The tip follows the hand, but does not enter surfaces that it
-/// touches.
+/// Position of the wand's tip (m, eye frame: origin at the wizard's eye, turned with the view). The tip
+/// follows the hand, but does not enter surfaces that it touches.
 vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state);
 
 }  // namespace thaum::game::inline context

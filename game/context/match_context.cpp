@@ -45,7 +45,7 @@ void declare_magic(ecs::World& world) {
         if (kind.declare != nullptr) kind.declare(world);
 }
 
-/// Declares the components of work at stations, except those of the cauldron.
+/// Declares the components of work at stations (orb and crystals), except those of the cauldron.
 void declare_stations(ecs::World& world) {
     declare_all<AtStation, Orb, WornModes, Scrying, Crystal, CrystalDensity, CrystalColour, Chisel,
                 CrystalStrike, Lens, GreatWork>(world);
@@ -68,8 +68,8 @@ void declare_components(ecs::World& world) {
                 Blows, WandBelt, HandState, Score, Match, Dice, EventLog>(world);
     for (const auto& kind : wand_kinds()) kind.declare(world);
     declare_magic(world);
-    // Arms, moved faders and free hands are declared last, so that the hashes of
-    // matches without them stay the same.
+    // Components that many matches lack (real arms, moved faders, hands that cast without a button) are
+    // declared last, so that the hashes of matches without them stay the same.
     declare_all<Arm, PastModel, MovedFaders, FreeHand, NearMiss>(world);
     declare_stations(world);
 }

@@ -17,14 +17,15 @@
 
 namespace thaum::game::inline context {
 
-/// Haptic setup of a match: the simulated device, and the limits and settings of each player. The state of
-/// simulated devices and servo steps is in the component HandState.
+/// Haptic setup of a match: the simulated device, and the limits and settings of each player. What changes in
+/// each tick, the state of simulated devices and of their force computation (servo), is in the component
+/// HandState.
 struct HapticSetup {
     haptics::SimulatedDevice device;
     std::array<haptics::Servo, players> servos{};
-    std::array<bool, players> on{};  ///< whether the player feels any forces
-    /// Largest force that a player has chosen during the match (% of the device's peak); 0: the one in
-    /// `servos`.
+    std::array<bool, players> on{};  ///< true: the player feels forces
+    /// Largest force that a player has chosen during the match (% of the device's peak); 0: the player has
+    /// not chosen one, so the limit in `servos` applies.
     std::array<std::uint8_t, players> force_percent{};
     /// Share of a carried thing's weight that the player feels, 0 to 1.
     std::array<double, players> weight{};
@@ -34,33 +35,34 @@ struct HapticSetup {
     std::array<double, players> recoil{};
     /// Share of the friction of touched things that the player feels, 0 to 1.
     std::array<double, players> roughness{};
-    /// Strengths of the brew's effects on the player's hand.
+    /// Strengths of the effects that the brew, the liquid in the cauldron, has on the player's hand.
     std::array<haptics::FluidModes, players> brew{};
     /// Half the size of the box of positions that the device can reach (m, device frame).
     std::array<vec3, players> reach{};
-    /// Scale of hand motion, relative to a device with the reference workspace (m/m).
+    /// Scale of hand motion, relative to a device whose workspace is 0.16 m wide (m/m). A narrower device
+    /// gets a larger scale, so that every hand reaches equally far in the world.
     std::array<double, players> workspace_scale{};
     /// Displacement of the wand's tip per displacement of the hand (m/m).
     std::array<double, players> wand_per_hand{};
 };
 
-/// Largest force on a player's hand (N).
+/// Largest force that a player's hand may get, by the device and the player's own limit (N).
 double force_cap(const HapticSetup& setup, std::uint32_t player);
 
-/// The players' devices and their input. The simulation owns this and fills in the frame of each tick.
+/// The players' devices and their input. The simulation owns this and fills in the input frame of each tick.
 struct MatchInput {
     HapticSetup haptic_setup;
     std::vector<input::DeviceSpec> devices;  ///< the players' devices, in the order of the samples in `frame`
     /// Gestures of players who recorded their own; null: those of the match's data.
     std::array<std::shared_ptr<const GestureSet>, players> gestures{};
-    /// Players whose strokes are not recognised at present, because the gesture wall of the range records
-    /// them. Never set in a logged match.
+    /// Players whose strokes are not recognised at present, because the gesture wall, the practice range's
+    /// display of gestures, records them. Never set in a logged match.
     std::array<bool, players> strokes_unread{};
     input::InputFrame frame;  ///< input frame of the current tick
 };
 
-/// Outputs of a match besides its state: haptic models, events, force traces, ended strokes. They are neither
-/// saved nor hashed.
+/// Outputs of a match besides its state: haptic models, events, curves of the force on the hands, ended
+/// strokes. They are neither saved nor hashed.
 struct MatchOutput {
     explicit MatchOutput(ecs::World& world) : models(world), journal(world), forces(world), strokes(world) {}
 
@@ -97,8 +99,9 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 /// `most` or on another floor.
 std::optional<double> distance_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most);
 
-/// Appends an event to the journal and to EventLog, and adds it to the match statistics. The calling system
-/// must have declared that it writes EventLog and resource::Journal.
+/// Appends an event to the journal (all events of the last seconds) and to EventLog (the last 64, part of the
+/// state), and adds it to the match statistics. The calling system must have declared that it writes EventLog
+/// and resource::Journal.
 void record(MatchContext& context, const Event& event);
 
 /// Harm to be done to a wizard.
@@ -107,12 +110,14 @@ struct Hurt {
     std::uint32_t by = no_player;
     EventKind how{};
     vec3 place{};
-    std::uint32_t detail{};  ///< Event::detail of the recorded event
-    bool pierces{};          ///< true: shields absorb none of the harm
+    std::uint32_t detail{};  ///< further number in the recorded event (Event::detail), whose meaning depends
+                             ///< on its kind
+    bool pierces{};          ///< true: the Shield spell absorbs none of the harm
 };
 
-/// Takes health and records the event, unless the wizard is shielded or dead. Writes Health, EventLog and
-/// resource::Journal, reads Wizard and Dead.
+/// Takes health and records the event. Does nothing to a dead wizard, nor to one who is protected after a
+/// return to life; the Shield spell absorbs a part. Writes Health, EventLog and resource::Journal, reads
+/// Wizard and Dead.
 void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& harm);
 
 }  // namespace thaum::game::inline context

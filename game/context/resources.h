@@ -15,7 +15,7 @@
 
 namespace thaum::game::inline context {
 
-/// Force magnitudes of the last ticks (N): a ring buffer indexed by tick.
+/// Strengths of the force on a hand in the last ticks (N): a ring buffer indexed by tick.
 using ForceTrace = std::array<float, 2048>;
 
 /// The last finished stroke of a player, the last key chord (a wand's key pressed while the button Trace is
@@ -26,11 +26,12 @@ struct EndedStroke {
     bool read{};  ///< true: the stroke was recognised as a gesture
     /// Why the spell that was last cast in vain had nothing to act on (SpellRules::refusal)
     std::string_view refusal{};
-    Tick outcome_at{};           ///< tick of play of `outcome`; 0: never
+    Tick outcome_at{};           ///< tick of play at which the effect in `outcome` ended; 0: never
     std::string_view outcome{};  ///< how the effect of a spell ended after its cast, as a text for the wizard
                                  ///< who cast it
     Tick chord_at{};             ///< tick of play of the last key chord; 0: none yet
-    std::uint32_t chord_slot{};  ///< slot of the last key chord's wand key, which is the spell's slot
+    std::uint32_t chord_slot{};  ///< slot (number) of the wand key that the last key chord pressed; the spell
+                                 ///< cast is the one with this slot
 };
 
 }  // namespace thaum::game::inline context
@@ -43,14 +44,15 @@ struct Physics {
     static constexpr std::string_view name = "physics";
 };
 
-/// Haptic models of this tick, from which servo steps compute the forces, one for each player. A tick
-/// rewrites only the parts that changed.
+/// Haptic models of this tick, one for each player: the descriptions from which servo steps compute the
+/// forces. A tick rewrites only the parts that changed.
 struct Models {
     using Value = std::array<haptics::HapticModel, players>;
     static constexpr std::string_view name = "haptic models";
 };
 
-/// All events of the last seconds. Not part of the state; the journal starts anew when a state is restored.
+/// All events of the last seconds, for display and for counting. Not part of the state; the journal starts
+/// anew when a state is restored.
 struct Journal {
     using Value = EventJournal;
     static constexpr std::string_view name = "event journal";

@@ -24,20 +24,22 @@ bool blocked(const physics::Physics& physics, vec3 from, vec3 to, double radius,
                       : physics.ray(from, to, physics::all_layers, ignored).has_value();
 }
 
-/// Point of a body at which a burst acts: its middle, or for an upright body the nearest point of its axis.
+/// Point of a body at which a burst (a missile's explosion) acts: the body's middle, or for an upright body
+/// the nearest point of its axis.
 vec3 middle_towards(const Body& body, vec3 centre, vec3 from) {
     if (body.upright == 0) return centre;
     return centre + vec3(0, std::clamp(from.y - centre.y, -body.size.y, body.size.y), 0);
 }
 
-/// Effect of a burst on one body.
+/// Effect of a burst (a missile's explosion) on one body.
 struct Reached {
-    double share{};  ///< fraction of the full effect, > 0
-    vec3 away{};     ///< direction of the impulse (unit)
+    double share{};  ///< fraction of the full effect of the burst (explosion) on the body, > 0
+    vec3 away{};     ///< direction of the impulse on the body (unit)
     vec3 point{};    ///< point on the body's surface (m, world)
 };
 
-/// Effect of a burst on one body; std::nullopt if the body is too far away or behind another body.
+/// Effect of a burst (a missile's explosion) on one body; std::nullopt if the body is too far away or behind
+/// another body.
 std::optional<Reached> reach(const physics::Physics& physics, const Burst& burst, physics::Key key,
                              vec3 middle) {
     constexpr double touching = 1e-6;

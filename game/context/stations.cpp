@@ -12,8 +12,8 @@
 namespace thaum::game::inline context {
 namespace {
 
-/// Time constant with which a wizard's view turns to a station (s): after this time, 1/e of the angle is
-/// left.
+/// Time constant with which the view of a wizard who begins to work turns to the cauldron, orb or crystal
+/// (s): after this time, 1/e of the angle is left.
 constexpr double turning_time = 0.15;
 
 void turn_eyes(const WizardRules& rules, vec3 body, const AtStation& station, Gaze& gaze) {

@@ -10,7 +10,8 @@ namespace thaum::game::inline context {
 /// surface. The shot flew in the direction `way` (world). Reads Crystal.
 void strike(MatchContext& context, physics::Key struck, vec3 place, vec3 way, std::uint32_t player);
 
-/// Records hits on all crystals that a burst reaches. `size` is the radius of the missile (m). Reads Crystal.
+/// Records hits on all crystals that a burst (a missile's explosion) reaches. `size` is the radius of the
+/// missile (m). Reads Crystal.
 void strike_by_burst(MatchContext& context, vec3 place, double size, std::uint32_t player);
 
 /// Records the blow of a loose thing on a crystal, unless the blow was too weak or another one chipped the

@@ -23,7 +23,8 @@ SurfaceKind kind_of(physics::Shape shape) {
     return SurfaceKind::triangle;
 }
 
-/// Angular velocity of resting things relative to the moving frame (rad/s, device frame).
+/// Angular velocity of resting things as seen from the device frame, which turns with the wizard (rad/s,
+/// device frame).
 vec3 spin_of(const HandFrame& frame, const HandFrame& before) {
     if (frame.turn == before.turn) return vec3(0);
     quat turned = glm::conjugate(frame.turn) * before.turn;
@@ -41,8 +42,8 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     haptics::SurfaceBody& body = patch.bodies[patch.body_count++];
     body.position = frame.to_device(state.position);
     body.orientation = glm::conjugate(frame.turn) * state.orientation;
-    // The velocity from `was` to the present position is the mean over the tick: it takes the point exactly
-    // from its position in the previous device frame to its position in the present one.
+    // This velocity is the mean over the tick, as seen from the device frame, which moves with the wizard. It
+    // takes the body from its place in the previous device frame exactly to its place in the present one.
     const vec3 was = before.to_device(state.position - tick_seconds * state.velocity);
     const bool rests = frame == before && state.velocity == vec3(0);
     body.velocity = rests ? vec3(0) : (body.position - was) / tick_seconds;
@@ -54,7 +55,8 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     body.key = key;
 }
 
-/// Adds one surface. `to_device` contains rotation and scale of HandFrame.
+/// Adds one surface to the patch, the surfaces near the hand. `to_device` turns and scales a vector from the
+/// world to the device frame.
 void add_surface(SurfacePatch& patch, const Nearby& near, vec3 origin, const mat3& to_device, double scale) {
     haptics::Surface& surface = patch.surfaces[patch.count++];
     surface.kind = kind_of(near.shape);

@@ -14,25 +14,25 @@ struct HandFrame {
     double metres_per_metre{1};  ///< world distance per distance of the device, > 0 (m/m)
 
     vec3 to_device(vec3 world) const { return way_to_device(world - origin); }
-    /// Transforms a displacement from the world to the device frame; also a velocity, if the frame is at
-    /// rest.
+    /// Transforms a displacement from the world to the device frame; also a velocity, if the device frame
+    /// does not move.
     vec3 way_to_device(vec3 way) const { return glm::conjugate(turn) * way / metres_per_metre; }
     vec3 to_world(vec3 device) const { return origin + turn * (metres_per_metre * device); }
     bool operator==(const HandFrame&) const = default;
 };
 
-/// Contact properties of bodies. Friction is the body's own friction times these factors.
+/// How the surfaces of bodies feel at the hand. Friction is the body's own friction times these factors.
 struct Feel {
-    double stiffness{300};      ///< stiffness at the device (N/m)
-    double damping{};           ///< damping at the device (N s/m)
+    double stiffness{300};      ///< stiffness of the surfaces, as felt at the device (N/m)
+    double damping{};           ///< damping of the surfaces, as felt at the device (N s/m)
     double static_friction{};   ///< static friction as a multiple of BodyDesc::friction
     double dynamic_friction{};  ///< dynamic friction as a multiple of BodyDesc::friction
 };
 
 /// The sphere in which surfaces are collected.
 struct Around {
-    vec3 point{};     ///< centre (m, world)
-    double radius{};  ///< radius (m, world)
+    vec3 point{};     ///< centre of the sphere (m, world)
+    double radius{};  ///< radius of the sphere (m, world)
     physics::Layers mask{physics::all_layers};
     physics::Key ignore{physics::no_key};
 };
@@ -46,7 +46,7 @@ void clear_patch(haptics::SurfacePatch& patch);
 void fill_patch(haptics::SurfacePatch& patch, const physics::Physics& physics, const Around& around,
                 const HandFrame& frame, const HandFrame& before, const Feel& feel);
 
-/// Motion of the resting world relative to the moving device frame.
+/// Motion of the resting world as seen from the device frame, which moves with the wizard.
 haptics::FrameMotion frame_motion_of(const HandFrame& frame, const HandFrame& before);
 
 }  // namespace thaum::game::inline context

@@ -10,7 +10,8 @@ namespace thaum::game::inline data {
 
 struct MatchData;
 
-/// Short name of a fault for tables and scenarios, such as "early"; empty for a number without a fault.
+/// Short name of a player's fault in brewing for tables and scenarios, such as "early"; empty for a number
+/// that stands for no fault.
 std::string_view name_of_fault(BrewFault fault);
 /// What a player did wrong and what to do instead, in one text: "Too early: stir on before the next
 /// ingredient".
@@ -34,9 +35,10 @@ struct BrewWords {
 };
 BrewWords brew_words_of(const MatchData& data);
 
-/// Names of the ingredients in the order that EventKind::recipe_told reveals. The names point into `words`.
+/// Names of a recipe's ingredients in their right order. `detail`: that order, as in the event
+/// EventKind::recipe_told, which reveals it to a player. The names point into `words`.
 std::vector<std::string_view> names_of_order(const BrewWords& words, std::uint32_t detail);
-/// Names of the ingredients in the revealed order, in one text: "moss, salt, mist".
+/// Names of a recipe's ingredients in the order that `detail` reveals, in one text: "moss, salt, mist".
 std::string words_of_order(const BrewWords& words, std::uint32_t detail);
 
 }  // namespace thaum::game::inline data

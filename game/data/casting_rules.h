@@ -13,7 +13,8 @@ struct CastingRules {
     /// Viscosity of the field in which a hand draws a stroke (N s/m). The force of a stroke is this viscosity
     /// times the hand's speed.
     double viscosity{};
-    double stick_reach{};     ///< distance of the hand from the middle with the stick fully pushed (m)
+    /// distance of the simulated hand from its rest position with the stick fully pushed (m)
+    double stick_reach{};
     double gentle_below{};    ///< mean force below which a stroke is gentle (N)
     double harsh_from{};      ///< mean force at or above which a stroke is harsh (N)
     double harsh_strength{};  ///< strength of a harsh spell, relative to a gentle one
@@ -24,24 +25,25 @@ struct CastingRules {
     Tick free_rest{};        ///< time for which the hand must rest after the gesture (ticks)
     double free_rest_way{};  ///< radius within which a hand counts as resting (m)
     Tick free_pause{};       ///< duration from which on a rest is too long to be part of a gesture (ticks)
-    double free_least_probability{};  ///< probability of the reading that a gesture needs in order to cast
-                                      ///< its spell, 0 to 1
+    /// probability with which a gesture must be recognised in order to cast its spell, 0 to 1
+    double free_least_probability{};
     double free_quiet_probability{};  ///< probability that suffices instead if the hand was slow before the
                                       ///< gesture, 0 to 1
     /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, below which the hand
     /// was slow.
     double free_quiet_pace{};
-    /// A window is a part of the motion that is tried as a gesture. If the speed of the hand before the
-    /// window, as a multiple of the speed in it, is above this limit, the hand was already moving, so the
-    /// gesture cannot begin with this window.
+    /// Free casting tries many parts of the hand's motion, called windows, as a gesture. If the speed of the
+    /// hand just before a window, as a multiple of its speed in the window, is above this limit, no gesture
+    /// begins there, because the hand was already moving.
     double free_most_pace{};
-    /// Arc length below which a closed gesture must reach free_least_probability even if the hand was slow
-    /// before it (m)
+    /// Arc length of a closed gesture, such as a circle, below which its probability must reach
+    /// free_least_probability even if the hand was slow before it, because small loops are often drawn by
+    /// accident (m)
     double free_loop{};
     double free_stop{};  ///< duration of a pause within a gesture from which on the gesture may be two
                          ///< movements (s)
-    /// Share of the gesture's duration that such a pause must also reach: it splits a gesture only if it is
-    /// longer than free_stop and than this share.
+    /// Share of a gesture's duration that a pause within it must reach, besides free_stop, to make it two
+    /// movements.
     double free_stop_share{};
     /// Probability from which on the player is told of a gesture that almost cast a spell, 0 to 1.
     double free_near_probability{};

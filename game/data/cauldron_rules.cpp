@@ -13,7 +13,8 @@ namespace {
 constexpr Range viscosity{0, fluid::max_viscosity};
 const std::vector<std::string_view> solver_names{"thaum", "classic"};
 
-/// Reads the settings of the surface, except `side`, which brew_surface computes from the bowl.
+/// Reads the settings of the brew's surface, except its width `side`, which brew_surface computes from the
+/// bowl.
 fluid::SpringSurfaceSettings read_spring_surface(const ConfigTable& table) {
     fluid::SpringSurfaceSettings result;
     result.nodes = static_cast<std::uint32_t>(table.integer("nodes", {3, 129}));

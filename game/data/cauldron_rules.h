@@ -70,7 +70,8 @@ struct CauldronRules {
     double density{};    ///< density of the pure brew, for momentum (kg/m^3)
     double viscosity{};  ///< kinematic viscosity of the base fluid (m^2/s)
     vec3 colour{};       ///< colour of the base fluid, linear light, 0 to 1
-    /// Settings of the brew's spring surface, whose `side` is computed from the bowl
+    /// Settings of the brew's spring surface. Its width `side` is not read from the file but computed from
+    /// the bowl.
     fluid::SpringSurfaceSettings surface{};
     LadleRules ladle{};
     AuraRules aura{};
@@ -80,7 +81,8 @@ struct CauldronRules {
     Tick recoil_length{};
     /// Downward momentum of a lob (a missile thrown in an arc) that bursts at the brew (N s)
     double burst{};
-    /// Work of a ladle within 1.5 s from which on its wizard can take over the brew (J)
+    /// Work that a wizard does on the brew with the ladle within 1.5 s, from which on the wizard can take
+    /// over a brew that belongs to the other (J)
     double min_wrest{};
     Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)
     /// Time from the first ingredient to boiling over, for a brew that can no longer become a potion (ticks)
@@ -99,10 +101,10 @@ CauldronRules read_cauldron_rules(const Config& file);
 fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin);
 fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basin& basin);
 
-/// Origin of the fluid's box (m, brew's frame).
+/// Position of the corner at which the fluid's grid begins (m, brew's frame).
 vec3 brew_corner(const fluid::Settings& settings);
 
-/// Checks that make_brew would succeed, without doing its work. The error names the setting that the solver
-/// rejects.
+/// Checks that the fluid solver accepts these rules for this basin, without making a brew, which takes long.
+/// The error names the setting that the solver rejects.
 Expected<void> check_brew(const CauldronRules& rules, const Basin& basin);
 }  // namespace thaum::game::inline data

@@ -9,7 +9,7 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// Name of a control in brackets.
+/// Name of a control in brackets, as prompts show it: "[E]".
 std::string in_brackets(const std::string& control) {
     return text("[", control.empty() ? "not bound" : control, "]");
 }
@@ -46,7 +46,8 @@ bool toggles(ControlWord word, const ControlNames& controls) {
            (word == ControlWord::stir && controls.stir_toggles);
 }
 
-/// Replaces "hold" by "press" at the end of a text.
+/// Replaces "hold" by "press" at the end of a text, because a control that toggles is pressed once instead of
+/// held.
 void press_instead_of_hold(std::string& words) {
     for (const auto& [hold, press] : {std::pair("Hold ", "Press "), std::pair("hold ", "press ")})
         if (words.ends_with(hold))

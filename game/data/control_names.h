@@ -10,8 +10,8 @@
 
 namespace thaum::game::inline data {
 
-/// Names of one player's controls for prompts and the strip of wands: "E", "Left mouse", "RT". An empty name
-/// means that no control is bound.
+/// Names of one player's controls for hints on the screen and for the row of wands: "E", "Left mouse", "RT".
+/// An empty name means that no control is bound.
 struct ControlNames {
     std::string fire{}, stir{}, throw_{}, next_wand{}, trace{};
     std::string move{}, look{}, jump{}, pause{};
@@ -31,7 +31,7 @@ std::string_view hold_or_press(bool toggles);
 /// control that toggles becomes "Press".
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
-/// When prompts are shown. The settings file uses the same names.
+/// When prompts, hints on the screen such as "[E] Stir", are shown. The settings file uses the same names.
 enum class PromptWish : std::uint8_t { until_learnt, always, never };
 inline constexpr std::array<std::string_view, 3> prompt_wishes{"until_learnt", "always", "never"};
 

@@ -27,7 +27,7 @@ std::vector<std::string> read_tool_names(const ConfigTable& root) {
     return names;
 }
 
-/// A tool that melts a ball of this radius (voxels).
+/// The tool that melts a ball out of a crystal where something hits it. `radius`: that of the ball (voxels).
 field::Tool melt_of_hit(double radius) {
     return {
         .name = "chip",

@@ -1,4 +1,5 @@
-// game/data/crystal_rules.h: rules of the crystals, of the Lens and of the Great Work (assets/crystal.toml).
+// game/data/crystal_rules.h: rules of the crystals that wizards carve, of the reward for that (the Lens), and
+// of the Great Work, which wins a round (assets/crystal.toml).
 #pragma once
 #include <string>
 #include <vector>
@@ -29,7 +30,8 @@ struct CrystalRules {
     double reach{};
     std::vector<std::string> tool_names;  ///< files of assets/carving in the order of the wand keys
     std::vector<field::Tool> tools;       ///< the tools read from the files in `tool_names`
-    double focus_per_second{};            ///< focus that a tool takes while it is applied (1/s)
+    /// focus (what spells cost) that a carving tool takes while it is applied (1/s)
+    double focus_per_second{};
     /// Share that remains of a tool's change where the change leads away from the key, the shape to be
     /// carved, 0 to 1.
     double against_key{};
@@ -38,19 +40,25 @@ struct CrystalRules {
     double overlap{};
     CarvingHandRules hand{};
     CrystalSurfaceRules surface{};
-    field::Tool chip{};           ///< tool that melts a ball of the crystal at the point of a hit
-    double chip_burst_reach{};    ///< distance from the crystal's surface within which a burst chips it (m)
-    double chip_least_impulse{};  ///< minimum impulse of a thing whose blow chips the crystal (N s)
-    Tick chip_again{};            ///< time after a hit in which no thing chips the same crystal (ticks)
-    double lens_share{};          ///< harm of a blast by a wizard with the Lens, relative to one without it
-    Tick work_lasts{};  ///< time for which a wizard must hold both Azoth and the Lens to win (ticks)
+    field::Tool chip{};         ///< tool that melts a ball of the crystal at the point of a hit
+    double chip_burst_reach{};  ///< distance from the crystal's surface within which a burst chips it (m)
+    /// minimum impulse of the blow of a loose thing that chips the crystal (N s)
+    double chip_least_impulse{};
+    /// time after a hit by a thing in which the same crystal is not chipped by any thing (ticks)
+    Tick chip_again{};
+    /// factor on the harm that the wand blast does in the hands of a wizard with the Lens, the reward for
+    /// carving
+    double lens_share{};
+    /// time for which a wizard must hold both halves of the Great Work, Azoth (a potion) and the Lens, to win
+    /// (ticks)
+    Tick work_lasts{};
 };
 
 /// Reads all rules except the tools, which have files of their own.
 CrystalRules read_crystal_rules(const Config& file);
 
-/// Reports a tool that changes a property which crystals of a match lack. `root`: the root table of
-/// crystal.toml.
+/// Reports a tool that changes a property of the material which the crystals of a match do not have. `root`:
+/// the root table of crystal.toml.
 void check_crystal_tools(const ConfigTable& root, const CrystalRules& rules);
 
 }  // namespace thaum::game::inline data

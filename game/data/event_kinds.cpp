@@ -86,7 +86,7 @@ const RuleKind rule_kinds[] = {
 
 constexpr std::uint32_t max_kinds = 256;
 
-/// Writes a row at its number, or a fault if that number or name is already in use.
+/// Stores what is known of a kind of event under its number, or a fault if that number or its name is in use.
 void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     const auto same = [&](const EventKindInfo& other) { return other.name == info.name; };
     if (info.name.empty() || number >= max_kinds) {
@@ -102,8 +102,8 @@ void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     }
 }
 
-/// Returns the number of a kind's cause: the fixed number, or the one that the cause already has, or the next
-/// free one.
+/// Returns the number of the cause of harm (such as "bolt") of a kind of event: the fixed number, or the one
+/// that this cause already has, or the next free one.
 std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
                          const std::optional<FixedNumbers>& fixed) {
     const auto known = std::find(all.causes.begin(), all.causes.end(), kind.cause);
@@ -123,13 +123,14 @@ std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
     return number;
 }
 
-/// A kind of event without fixed numbers. `is_hit`: the kind must have a cause of harm.
+/// A kind of event that has no fixed number yet. `is_hit`: true if it must have a cause of harm, as every hit
+/// must.
 struct FreeKind {
     EventKindInfo info;
     bool is_hit{};
 };
 
-/// Numbers kinds after the largest fixed number, in the order of their names.
+/// Gives these kinds the numbers after the largest one in use, in the order of their names.
 void number_by_name(EventKinds& all, std::vector<FreeKind> kinds) {
     std::ranges::sort(kinds, {}, [](const FreeKind& kind) { return kind.info.name; });
     for (auto& [info, is_hit] : kinds) {

@@ -16,7 +16,7 @@
 
 namespace thaum::game::inline data {
 
-/// What the column `with` of an events table contains.
+/// What the column `with` contains in a table of a match's events: what else the event is about.
 enum class EventWith : std::uint8_t {
     nothing,
     wand_in_hand,
@@ -30,10 +30,12 @@ enum class EventWith : std::uint8_t {
     spell,    ///< Event::detail is the number of a spell
     gesture,  ///< Event::detail is the number of a gesture
     potion,
-    fault,   ///< Event::detail is a BrewFault
-    mode,    ///< Event::detail is the number of a haptic mode of the orb
-    recipe,  ///< Event::detail is a recipe with a drawn order, encoded as for EventKind::recipe_told
-    tool     ///< Event::detail is the number of a carving tool
+    fault,  ///< Event::detail is a BrewFault
+    mode,   ///< Event::detail is the number of a haptic mode of the orb
+    /// Event::detail is a recipe, with an order of its ingredients that was drawn by lot, encoded as for
+    /// EventKind::recipe_told
+    recipe,
+    tool  ///< Event::detail is the number of a carving tool
 };
 
 /// Meaning of the fields of one kind of event.
@@ -63,8 +65,8 @@ struct HitKind {
     std::optional<FixedNumbers> fixed{};
 };
 
-/// A kind of event that is registered by the source which records it. Its row in assets/events.toml says how
-/// it is shown.
+/// A kind of event that the source which records it registers, so that no other source names it. A row in
+/// assets/events.toml says how it is shown.
 class EventRegistration {
 public:
     /// Registers the kind when the program starts. The program chooses its numbers, so `info.cause_number` is
@@ -91,7 +93,7 @@ EventKinds number_event_kinds(std::span<const HitKind> hits, std::span<const Eve
 /// The kinds of this program: those of EventKind, all registered ones, and the hits of all registered wands.
 const EventKinds& event_kinds();
 
-/// Row of a kind; the row of EventKind::none for a number without a kind.
+/// What is known of a kind of event; for a number without a kind, the same as for EventKind::none.
 const EventKindInfo& info_of(EventKind kind);
 /// Name of a kind; empty for a number without a kind.
 std::string_view name_of(EventKind kind);

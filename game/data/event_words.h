@@ -1,4 +1,5 @@
-// game/data/event_words.h: words of events for players, made from the patterns of their rows.
+// game/data/event_words.h: texts that tell players of events. Data files have a pattern for each kind of
+// event, such as "{by} hits {whom}".
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,15 +10,16 @@
 
 namespace thaum::game::inline data {
 
-/// Replaces names in braces in a text (game/data/presentation.h), such as {by} and {cause}. `thing` is the
-/// thing that caused the event, such as "barrel"; empty: no thing. `brew` names potions and ingredients.
+/// Replaces the names in braces in a pattern (game/data/presentation.h), such as {by} and {cause}. `thing` is
+/// the thing that caused the event, such as "barrel"; empty: no thing did. `brew` names potions and
+/// ingredients.
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
                         std::string_view thing = {}, const BrewWords& brew = {});
 
-/// Whether no one but the affected player caused the event.
+/// Whether the event was caused by the affected player or by nobody, but not by another player.
 bool is_alone(const Event& event);
-/// The pattern of an event's line in the feed. There are different patterns for events caused by another
-/// player, by no one, and by a mere fall.
+/// The pattern of an event's line in the feed, the list of recent events on the screen. There are different
+/// patterns for events caused by another player, by no other player, and by a mere fall.
 const std::string& feed_pattern(const EventRow& row, const Event& event);
 
 }  // namespace thaum::game::inline data

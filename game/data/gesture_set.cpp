@@ -7,7 +7,8 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// Returns a reader of the gestures, created on first use.
+/// Returns a reader of the gestures (a recogniser of some kind), which is created on first use because that
+/// takes long.
 template <class Reader, class... Settings>
 const Reader& made_once(std::once_flag& once, std::optional<Reader>& reader,
                         std::span<const gesture::Gesture> gestures, const Settings&... settings) {

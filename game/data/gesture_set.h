@@ -24,8 +24,8 @@ public:
     std::string_view name(std::uint32_t number) const;
     /// Recogniser of strokes that are drawn with a button.
     const gesture::Recogniser& recogniser() const;
-    /// Recogniser of motion without a button: the pace of the hand counts. Made only for a match in which
-    /// somebody casts freely.
+    /// Recogniser of gestures in a hand's motion without a button, which also considers how fast the hand
+    /// moves. Made only for a match in which somebody casts in this way (freely).
     const gesture::Recogniser& motion_recogniser() const;
     /// Whether the recogniser of motion has been made. Not to be asked while another thread may be making it.
     bool has_motion_recogniser() const { return motion_recogniser_.has_value(); }

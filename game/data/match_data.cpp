@@ -43,7 +43,7 @@ public:
         return value;
     }
 
-    /// Whether the file was read without a fault.
+    /// Whether the file of this name was read without a fault.
     bool is_sound(const std::string& name) const {
         return std::find(faulty_.begin(), faulty_.end(), name) == faulty_.end();
     }
@@ -150,7 +150,7 @@ Expected<void> check_arena_name(const std::filesystem::path& assets, const std::
     return check_name(stems_in(assets / "arenas"), name, "arena");
 }
 
-/// Gives a wand that shares another wand's energy the same cap. `files` are the files of the wands.
+/// If a wand uses the energy of another wand, gives both the same cap. `files` are the files of the wands.
 void share_energies(MatchData& data, const std::vector<std::optional<Config>>& files, Loader& loader) {
     for (std::size_t i = 0; i < data.wands.size(); ++i) {
         auto& wand = data.wands[i];
@@ -240,7 +240,7 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
-/// A copy of the presentation as far as it was read, to which a loader adds its part.
+/// A copy of what is known so far of how the match is shown. The caller adds its part to the copy.
 std::shared_ptr<Presentation> begun_presentation(const MatchData& data) {
     return data.presentation ? std::make_shared<Presentation>(*data.presentation)
                              : std::make_shared<Presentation>();
@@ -252,7 +252,7 @@ void load_wands(MatchData& data, Loader& loader) {
     std::vector<WandSounds> sounds;
     auto shown = begun_presentation(data);
     shown->events = loader.load("events.toml", read_event_rows, false);
-    // Makes room for all kinds: after an error in reading, the list is empty.
+    // Makes room for all kinds of event: if events.toml has an error, the list is empty.
     shown->events.resize(event_kinds().kinds.size());
     for (const auto& kind : wand_kinds()) {
         const auto read = [&](const Config& file) {
@@ -340,7 +340,7 @@ void load_gestures(MatchData& data, Loader& loader) {
     data.gestures = std::make_shared<GestureSet>(std::move(gestures));
 }
 
-/// Refuses a spell whose gesture does not exist or belongs to another spell, or whose slot is taken.
+/// Reports a spell whose gesture does not exist or belongs to another spell, or whose wand key is taken.
 void check_spell(const MatchData& data, const LoadedSpell& spell, const Config& file) {
     const auto& gesture = spell.stats.gesture;
     if (data.gestures && !data.gestures->number(gesture))
@@ -477,7 +477,8 @@ void load_crystal(MatchData& data, Loader& loader) {
     data.crystal = std::move(rules);
 }
 
-/// Removes data that the rule set switches off, so that systems need not check the rule set.
+/// Removes data that the rule set switches off, so that the systems of the match need not look at the rule
+/// set.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
     if (data.rules.energy_regain) return;

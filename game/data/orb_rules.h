@@ -15,12 +15,14 @@ namespace thaum::game::inline data {
 struct OrbMode {
     std::string name;                    ///< name of a haptic mode (haptics/modes.h)
     std::vector<field::Filter> filters;  ///< filters applied to the orb's flow before the mode reads it
-    /// Initial strength as a function of the mode's property (N). A derivative that the mode itself computes
-    /// is per metre of hand motion; OrbRules::metres_per_metre converts that to metres in the orb. A
-    /// derivative by a filter is per metre in the orb.
+    /// Strength of the mode's force before the wizard changes it, as a function of the mode's property, which
+    /// is a quantity of the flow, such as its speed (N). A derivative of the flow that the mode itself
+    /// computes is per metre of hand motion, and OrbRules::metres_per_metre converts it to metres in the orb.
+    /// A derivative by one of the filters is per metre in the orb.
     field::TransferFunction strength{};
     field::TransferFunction friction{};  ///< coefficient of friction, as a function of the field's value
-    /// Value of the mode's property at the right end of the plane on which a wizard draws the strength curve.
+    /// Value of the mode's property (a quantity of the flow) at the right end of the plane on which a wizard
+    /// draws the strength curve.
     double max_property{};
     /// Strength at the bottom of the drawing plane (N); the plane's left end is the property's value 0.
     double least{};
@@ -29,20 +31,22 @@ struct OrbMode {
 struct OrbRules {
     double metres_per_metre{};  ///< distance that the probe moves per distance of the hand (m/m)
     double reach{};  ///< greatest distance from the orb's surface at which a wizard can use the orb (m)
-    /// Distance of the probe from the hidden core at which it counts as near, as a share of the orb's
-    /// diameter.
+    /// Distance from the hidden core, the axis of the strongest vortex, which a wizard searches, within which
+    /// the probe counts as near it; as a share of the orb's diameter.
     double core_share{};
-    Tick hold{};  ///< time for which the probe must stay near the core until the orb gives its reward (ticks)
-    double healing{};    ///< health that the reward gives (HP)
-    double focus{};      ///< focus that scrying costs (1/s)
-    double stiffness{};  ///< stiffness of the spring between the device's tip and the proxy (N/m, at the
-                         ///< device)
-    double most{};       ///< strength at the top of the plane on which a wizard draws strength curves (N)
+    /// time for which the probe must stay near the hidden core until the orb gives its reward (ticks)
+    Tick hold{};
+    double healing{};  ///< health that a wizard gains who has found the core (HP)
+    double focus{};    ///< focus (what spells cost) that a wizard spends while searching the orb (1/s)
+    /// Stiffness of the spring between the device's tip and the proxy, the point that follows the mode's
+    /// rules (N/m, at the device)
+    double stiffness{};
+    double most{};  ///< strength at the top of the plane on which a wizard draws strength curves (N)
     /// Width of a column of a drawn strength curve, which gets one height for each column; as a share of the
     /// plane's width.
     double column_share{};
-    /// Hand displacement after which a held Trace button begins to draw, so that a key chord draws nothing
-    /// (m)
+    /// Distance that the hand must move after the button Trace is pressed before it draws. So a press of
+    /// Trace together with a wand key, which casts a spell, draws nothing (m).
     double begins{};
     std::vector<OrbMode> modes;  ///< all modes, 1 to max_orb_modes of them
 };

@@ -23,7 +23,7 @@ struct PotionUse {
     ecs::Entity wizard;
     std::uint32_t potion{};  ///< number of the potion, its index in MatchData::recipes
     Tick lasts{};            ///< time for which the potion acts (ticks); 0: it has no duration
-    Tick tick{};             ///< tick of play
+    Tick tick{};             ///< number of the present tick of play
 };
 
 /// Arguments with which an effect adds its systems.
@@ -46,8 +46,8 @@ public:
     virtual void over(const PotionUse&) const {}
     /// Called when the wizard has died, whether or not the wizard has drunk the potion.
     virtual void lost(const PotionUse&) const {}
-    /// Components and resources that drunk(), over() and lost() write, besides Potions, EventLog and
-    /// resource::Journal.
+    /// Components and resources of the World that drunk(), over() and lost() write, besides Potions, EventLog
+    /// and resource::Journal.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
     /// Adds systems that act while the potion acts on a wizard.
     virtual void add_systems(const PotionSystems&) const {}

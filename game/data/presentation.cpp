@@ -12,7 +12,7 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// The names of events for which a data file may have rows, and whose events they are ("the rules"), for the
+/// The names of events that a data file may describe, and whose events they are ("the rules"), for the
 /// message that rejects another name.
 struct Known {
     std::vector<std::string_view> names;
@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 12> word_names{"by",     "whom",  "cause"
                                                       "amount", "gain",  "spell",  "potion",
                                                       "effect", "fault", "recipe", "ingredient"};
 
-/// The first unknown braces in the plain parts of an event's text; empty if there are none. `controls`: names
-/// of controls are allowed.
+/// The first unknown name in braces in the plain parts of an event's text; empty if there is none.
+/// `controls`: names of controls are allowed there.
 std::string unknown_braces_in(std::string_view plain, bool controls) {
     if (!controls) return has_brace(plain) ? std::string(plain) : "";
     for (const auto& piece : control_pieces_of(plain))

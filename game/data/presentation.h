@@ -96,7 +96,7 @@ struct WandPresentation {
 /// Placeholder for the name of the sound or effect of the spell concerned.
 inline constexpr std::string_view of_spell = "{spell}";
 
-/// What a spell shows in the world.
+/// What a spell shows in the world while it acts.
 enum class SpellSign : std::uint8_t {
     none,
     shell,  ///< a shell around the caster while the shield lasts

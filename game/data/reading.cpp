@@ -11,13 +11,14 @@ namespace {
 using gesture::Points;
 using gesture::StrokePoint;
 
-/// Number of turns above which a stroke is read turn by turn.
+/// Number of turns of a closed gesture, such as a circle, above which a stroke is read turn by turn.
 constexpr double several_turns = 1.5;
 
 vec3 place_of(const DrawnPoint& p) { return {p.x, p.y, p.z}; }
 
-/// Calls the function with number, position, time and force of each point of a stroke. Before, jumps are
-/// spread over the rests before them (spread_jumps). The points of a spread jump share its force.
+/// Calls the function with number, position, time and force of each point of a stroke. Before that, each jump
+/// of a position that the device reports seldom is spread over the rest before it (spread_jumps). The force
+/// at the jump is then shared among these points.
 template <class Take>
 void each_point(const DrawnStroke& stroke, Take&& take) {
     const double apart = stroke.every * gameplay_dt;
@@ -118,7 +119,7 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
 }  // namespace
 
 void spread_jumps(std::span<vec3> places, double apart) {
-    // Minimum length of a jump; the steps of a slow hand are shorter (m)
+    // Minimum length of a jump of the reported position; the steps of a slow hand are shorter (m)
     constexpr double min_jump = 0.0015;
     constexpr double longest_rest = 0.064;  // a rest shorter than this belongs to the jump after it (s)
     std::size_t rest = 0;  // index of the first point of the rest, in which the device reports no motion

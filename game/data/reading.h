@@ -10,7 +10,8 @@
 
 namespace thaum::game::inline data {
 
-/// Working memory of the reader. It is no state: the reading of a stroke does not depend on earlier ones.
+/// Working memory of the reader of strokes, kept to save time. It is no state: the reading of a stroke does
+/// not depend on earlier strokes.
 struct ReadingSpace {
     gesture::RecogniserSpace recogniser;
     std::array<gesture::StrokePoint, max_drawn_points> stroke{};
@@ -30,7 +31,7 @@ void spread_jumps(std::span<vec3> places, double apart);
 
 /// Points of a stroke with their times (s). Allocates.
 std::vector<gesture::StrokePoint> points_of(const DrawnStroke& stroke);
-/// Mean force along the path of a stroke (N).
+/// Mean of the force over the length of a stroke's path (N).
 double mean_force_of(const DrawnStroke& stroke);
 
 /// Reason why a stroke is not read at all.

@@ -47,7 +47,7 @@ struct ChangedBrew {
     /// never.
     double swirl{};
     double rise{};   ///< mean speed of the brew below which its middle is pushed upwards (m/s); 0: never
-    double aura{1};  ///< factor on the radius of the brew's effects (AuraRules)
+    double aura{1};  ///< factor on the radius within which the brew has effects on wizards (AuraRules)
     Tick lasts{};
     vec3 colour{};  ///< colour as linear light, 0 to 1; for pictures only
 };

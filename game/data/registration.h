@@ -7,7 +7,7 @@
 
 namespace thaum::game::inline data {
 
-/// Declares components in this order.
+/// Declares to the World the components that a kind of wand or spell needs, in this order.
 template <class... Components>
 void declare_all(ecs::World& world) {
     (world.declare<Components>(), ...);

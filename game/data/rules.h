@@ -17,7 +17,7 @@ struct RoundRules {
     std::int32_t kills{};    ///< number of kills that win the round
     Tick length{};           ///< length of a round (ticks)
     std::uint32_t rounds{};  ///< largest number of rounds; more than half of them win the match
-    Tick interval{};         ///< ticks until the next round begins by itself
+    Tick interval{};         ///< ticks from the end of a round until the next one begins by itself
     Tick respawn{};          ///< ticks from death until the wizard returns to life
     Tick spawn_shield{};     ///< ticks without harm after returning to life
 };
@@ -25,7 +25,7 @@ struct RoundRules {
 struct PowerUpRules {
     double health{};        ///< health that a power-up gives (HP)
     double energy_share{};  ///< energy that a power-up gives, as a share of the emptiest wand's cap
-    Tick again{};           ///< ticks until the power-up is available again
+    Tick again{};           ///< ticks after it was picked up until the power-up is available again
     double radius{};        ///< radius within which the power-up is picked up (m, on the ground)
 };
 
@@ -68,7 +68,8 @@ struct ProbeRules {
     double damping{};           ///< damping at the device (N s/m), limited to what the device can render
     double static_friction{};   ///< static friction as a multiple of the body's own friction
     double dynamic_friction{};  ///< dynamic friction as a multiple of the body's own friction
-    /// Force at the hand per force on the thing (N/N); 0: things are not pushed.
+    /// Force felt by the hand per force with which the wand's tip pushes a thing (N/N); 0: things are not
+    /// pushed.
     double newtons_per_newton{};
 };
 
@@ -79,8 +80,12 @@ struct HapticRules {
     /// Displacement of the wand's tip per displacement of the hand, for a device whose workspace is 0.16 m
     /// wide; more for a narrower one (m/m).
     double wand_per_hand{};
-    std::int32_t clutch_per_count{};  ///< displacement of the hand per mouse count (um)
-    std::int32_t clutch_per_tick{};   ///< displacement of the hand per tick with a stick fully deflected (um)
+    /// displacement of the hand per mouse count while the clutch, the key for moving the hand instead of the
+    /// view, is held (um)
+    std::int32_t clutch_per_count{};
+    /// displacement of the hand per tick with a stick fully deflected while the clutch is held, which makes
+    /// the stick move the hand (um)
+    std::int32_t clutch_per_tick{};
     ProbeRules probe{};
 };
 

@@ -2,7 +2,7 @@
 // in game/spells that registers a SpellKind. The rest of the game uses spells only through this interface, so
 // a new spell changes no other file. Keys that every spell's file has:
 //
-//     slot = 1              # key of the chord that casts it without a stroke
+//     slot = 1              # wand key that casts it without a stroke, while Trace is held
 //     gesture = "circle"    # name of a file of assets/gestures
 //     focus = 25            # focus of a gentle cast
 //     [event]               # changes no match
@@ -10,7 +10,7 @@
 //     tactile = ""          # name of an effect on the caster's body (assets/tactile/effects)
 //     [look]                # changes no match
 //     shown = "Shield"
-//     sign = "shell"        # what is seen in the world: none, shell, beads or dust (game/data/presentation.h)
+//     sign = "shell"        # what is seen in the world: none, shell, beads or dust (data/presentation.h)
 #pragma once
 #include <memory>
 #include <string>

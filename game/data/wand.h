@@ -119,9 +119,11 @@ public:
     /// Ends the use of the wand, such as charging or holding. Called once when another wand is selected, and
     /// every gameplay tick while the wizard is dead or works at a station (cauldron, orb or crystal).
     virtual void put_away(const WandUse&) const {}
-    /// Components and resources that `use` and `put_away` write, besides WandBelt.
+    /// Components and resources that `use` and `put_away` write, besides WandBelt (the wizard's wands with
+    /// their energy).
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
-    /// Adds systems that push bodies. They run every tick, after the servo step and before bodies move.
+    /// Adds systems that push bodies. They run every tick, after the servo step (the forces on the hands) and
+    /// before bodies move.
     virtual void add_forces(const WandSystems&) const {}
     /// Adds systems that move the wand's missiles.
     virtual void add_missiles(const WandSystems&) const {}

@@ -17,7 +17,7 @@ const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt);
 /// Energy of the wand in hand; 0 if the selected slot is empty.
 double energy_in_hand(const MatchData& data, const WandBelt& belt);
 
-/// A belt with full energy and the first wand selected.
+/// A new wizard's wands: all have full energy, and the first one is selected.
 WandBelt full_belt(const MatchData& data);
 
 }  // namespace thaum::game::inline data

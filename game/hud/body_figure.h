@@ -9,7 +9,8 @@
 
 namespace thaum::game::inline hud {
 
-/// Usual size of the figure (HUD units): front and back with a gap between them.
+/// Size of the figure, front and back with a gap between them, where a view has enough room for it (HUD
+/// units).
 inline constexpr float figure_wide = 90, figure_high = 62;
 
 /// Adds the figure. `felt` has the strength of the vibration in each cell, 0 to 1. Nothing is added to an

@@ -28,10 +28,10 @@ const fvec4 grey_paint = colour(0xA8A4B0, 1.0F);
 
 // ---- The stroke -------------------------------------------------------------------------------------------
 
-/// Share of the view's shorter edge that a stroke of usual size fills, and largest share that any stroke
+/// Share of the view's shorter edge that a stroke of the usual width fills, and largest share that any stroke
 /// fills.
 constexpr float usual_share = 0.34F, max_share = 0.66F;
-constexpr float usual_size = 0.08F;  // usual size of a stroke (m)
+constexpr float usual_size = 0.08F;  // usual width of a stroke (m)
 constexpr std::size_t max_stroke_pieces = 160;
 
 /// Maps points of a stroke to the view. A stroke begins at the crosshair. It is moved and scaled down as far
@@ -106,7 +106,8 @@ void add_gesture_icon(Overlay& out, const gesture::Gesture& gesture, fvec2 middl
     out.items.emplace_back(ArcItem{at(0), 0, 1.4F * width, 0, whole_turn, paint});
 }
 
-/// Adds gesture and name of the spell that the stroke will probably cast, on a plate in the panel for them.
+/// Shows the spell that the unfinished stroke will probably cast: its gesture and name, in the panel for
+/// them.
 void add_likely(Overlay& out, const CastingPicture& casting, const SpellPresentation& spell,
                 const ViewLayout& l) {
     const auto number = casting.gestures->number(spell.gesture);

@@ -37,7 +37,7 @@ std::string words_of(const FrameTimes& times) {
     auto words = text("picture ", fixed(times.total_ms(), 1), " ms, ",
                       render::quality_names[static_cast<std::size_t>(times.quality)], ", ",
                       std::lround(100 * times.resolution), " %");
-    // Three spaces part groups that are kept together on a line (FittedWords).
+    // Three spaces separate groups of words. A line is broken only between groups (FittedWords).
     for (const auto& part : parts_of(times))
         if (part.ms >= 0.05) words += text("   ", part.name, " ", fixed(part.ms, 1));
     return words;

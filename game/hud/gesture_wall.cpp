@@ -16,7 +16,8 @@ constexpr float wall_name_high = 20, wall_spell_high = 17;
 constexpr float wall_lines_high = 5 * FittedWords::line_spacing * wall_line, wall_margin = 8, wall_inset = 5;
 constexpr std::size_t wall_columns = 2;
 
-/// Boxes of the cells, of the stroke's panel to their right, and of the text lines below.
+/// Places of the gesture wall's parts: a cell for each gesture, to their right the panel with the player's
+/// newest stroke, and below them text lines.
 struct WallLayout {
     Panel box;
     fvec2 cell{};  ///< size of a cell (px)
@@ -42,7 +43,8 @@ WallLayout lay_out_wall(const Panel& box, std::size_t gestures, float u) {
     return l;
 }
 
-/// Adds the score of a cell at the right end of its title. The score of an older stroke is pale.
+/// Adds the score of a gesture, how well the last stroke that was read as it fits (%), at the right end of
+/// its cell's title. Only the score of the newest stroke is bright.
 void add_cell_score(render::Overlay& out, const Panel& title, int score, bool newest, float u) {
     const fvec4 paint = newest ? paints.white : opaque(fvec3(paints.soft), 0.35F);
     add_text_in(out, title, text(score, " %"), wall_name * u, paint, render::Align::right);
@@ -76,7 +78,7 @@ void add_cell(render::Overlay& out, const GestureWallPicture& wall, std::size_t 
         add_stroke(out, wall.stroke, fit_stroke(wall.stroke, ghost), {.width = 3.5F * u, .by_force = true});
 }
 
-/// Adds the newest stroke in the panel for it.
+/// Adds the player's newest stroke in its own panel, with the title "Your stroke".
 void add_own_panel(render::Overlay& out, const GestureWallPicture& wall, const Panel& box, float u) {
     constexpr double min_drawn = 0.1;  // strokes smaller than this are not enlarged while they are drawn (m)
     out.items.emplace_back(render::RectItem{box.low, box.high, opaque(fvec3(paints.white), 0.06F), 8 * u});

@@ -5,7 +5,7 @@
 //     Circle 97 %   S            Your stroke
 //     Shield        Fog           the stroke, while it is drawn and afterwards
 //      ghost         ghost
-//     Star   42 %   V             a ghost in each cell; the chosen one is framed, and scores of older strokes are pale
+//     Star   42 %   V             a ghost in each cell; the newest stroke's is lit, older scores are pale
 //     Recall        Push
 //      ghost         ghost
 //     Shield, 97 % sure, gentle   what was read

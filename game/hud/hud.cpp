@@ -18,7 +18,8 @@ void come_nearer(NearView& view, const Picture& picture, bool carves) {
 
 /// Field of view in which a crystal fills most of the view's shorter edge (rad).
 double field_of_crystal(const CrystalPicture& crystal, vec3 eye, double aspect) {
-    // Half of the view's shorter edge covers this multiple of the crystal's edge, at the crystal's distance.
+    // How many lengths of the crystal's edge, at the crystal's distance, half of the view's shorter edge
+    // shows.
     constexpr double shown = 0.5;
     const double distance = std::max(glm::length(crystal.middle - eye), crystal.edge / 2);
     return 2 * std::atan(shown * crystal.edge / distance / std::min(aspect, 1.0));
@@ -66,8 +67,8 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
                                   .scans = scans});
 }
 
-/// Fills in the lists that do not depend on whose view is drawn: shades at contacts, steam, and what casts
-/// shadows.
+/// Fills in the lists that do not depend on whose view is drawn: the shades under things that touch the
+/// ground, steam, and what casts shadows.
 void add_shared(const ArenaScene& arena_scene, const Picture& picture, FrameMemory& memory) {
     for (auto* list : {&memory.shades, &memory.mists, &memory.fixed_casters, &memory.moving_casters})
         list->clear();

@@ -29,8 +29,9 @@ struct HudSettings {
     bool can_play_again = true;  ///< true: the result screen offers another match
     bool has_menu = true;  ///< true: leaving a match leads to the start screen; false: it ends the program
     bool forces = false;   ///< true: shows the force on the hand as a curve, and the brew's flow
-    std::optional<FrameTimes> frame_times{};  ///< shown as a line if there are any
-    bool menu = false;                        ///< true: a menu will cover the views, so the HUD is left out
+    /// times of a picture's parts, shown as a line; std::nullopt: not shown
+    std::optional<FrameTimes> frame_times{};
+    bool menu = false;  ///< true: a menu will cover the views, so the HUD is left out
     /// Message about a fault of each player's device, in the words of its driver. The session sets it.
     std::array<std::string, players> device_messages{};
     PlayerNames names{};
@@ -49,7 +50,8 @@ struct HudSettings {
 
 /// How far a player's view has zoomed in on the crystal that the player carves.
 struct NearView {
-    /// Tick of the last picture; initially later than any tick.
+    /// Tick of the last picture. At first it is later than any tick, so that the first picture completes the
+    /// zoom at once.
     Tick tick = std::numeric_limits<Tick>::max();
     double share{};    ///< progress of the zoom: 0 is the usual view, 1 the nearest one
     double nearest{};  ///< vertical field of view of the nearest view (rad)

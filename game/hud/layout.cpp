@@ -14,8 +14,8 @@ constexpr float health_wide = 80, health_high = 80;
 constexpr float name_high = 18;
 constexpr float left_column = edge + health_wide + edge;
 constexpr float score_half_wide = 96, score_half_high = 27;
-constexpr float title_half_wide = 124,
-                title_view_wide = 440;  // title of a lesson, and the width of a view with room for it
+// half the width of a lesson's title, and the width of a view that has room for it
+constexpr float title_half_wide = 124, title_view_wide = 440;
 // Distance from the top of the window to the panels below a score that stands there.
 constexpr float under_score = 7 + 2 * score_half_high + 2;
 constexpr float line = 20;  // height of a line of messages, notices or feed
@@ -30,9 +30,10 @@ constexpr float min_likely = 14;
 // between them.
 constexpr float tall_least_high = 400, tall_least_wide = 236;
 constexpr float flat_least_wide = 410;
-// Minimum heights of a flat view that has room for a sound in words and for the body figure (HUD units): of
-// a view alone (they stand below the score), of views beside each other (below the notices under the score),
-// and of stacked views (below the feed).
+// Minimum heights of a flat view, in which the messages are between the corner panels, that leave room for a
+// sound in words and for the body figure (HUD units). They differ because sound and figure stand below other
+// panels: in a view alone below the score, in views beside each other below the notices under the score, in
+// stacked views below the feed.
 constexpr float flat_alone_high = 220, flat_beside_high = 284, flat_stacked_high = 224;
 constexpr float flat_messages_wide = 220;
 // Maximum height of the messages in a tall view, which has them above the corner panels.
@@ -66,15 +67,16 @@ float min_flat_width(const Arrangement& how, std::size_t wands) {
     return std::max(flat_least_wide, 2 * (middle + ring_gap + strip_of(wands, 2).wide));
 }
 
-/// Length of a HUD unit that the settings ask for (px), if the panels have room.
+/// Length of a HUD unit that the settings ask for (px). If the panels have no room then, unit_of makes it
+/// smaller.
 float wanted_unit(const Arrangement& how, const render::Rect& view, render::Size window, double text_scale) {
     const float high = static_cast<float>(window.height) / 720 * (how.alone ? 1.35F : 1.05F);
     const float wide = static_cast<float>(view.width) / 420;
     return std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
 }
 
-/// Length of a HUD unit (px): the one that the settings ask for, or a smaller one if the panels need that. A
-/// lesson needs a tall view.
+/// Length of a HUD unit (px): the one that the settings ask for, or a smaller one if the panels need that. In
+/// a window with one view, a lesson needs a tall view, which has its messages above the corner panels.
 float unit_of(const Arrangement& how, const render::Rect& view, float wanted, std::size_t wands) {
     const auto w = static_cast<float>(view.width), h = static_cast<float>(view.height);
     const float tall = std::min(w / tall_least_wide, h / tall_least_high);
@@ -133,8 +135,8 @@ void place_middle(const Arrangement& how, InUnits& out) {
                             : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
 }
 
-/// Places the name, with the free room to its right. In a flat view it stands above the messages, beside the
-/// ring.
+/// Places the player's name, with the free room to its right. In a flat view it stands above the messages,
+/// beside the ring around the crosshair.
 void place_name(InUnits& out) {
     if (!out.tall) {
         out.name.high.y = std::min(out.name.high.y, out.messages.low.y);
@@ -200,8 +202,8 @@ void place_figure(const Arrangement& how, InUnits& out) {
     out.figure = {high - scale * fvec2(figure_wide, figure_high), high};
 }
 
-/// Places the name of the likely spell above the ring around the crosshair, and the panel of strokes around
-/// that ring. The panel ends above two lines of messages.
+/// Places the name of the spell that a stroke will probably cast above the ring around the crosshair, and the
+/// panel of strokes around that ring. The panel ends above two lines of messages.
 void place_strokes(const Arrangement& how, InUnits& out) {
     constexpr float max_high = 24, captions = 2 * 1.4F * 15;
     const fvec2 middle(out.wide / 2, out.high / 2);
@@ -212,8 +214,8 @@ void place_strokes(const Arrangement& how, InUnits& out) {
                    {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
 }
 
-/// Places the panel for the card of a player at a station in the free room right of the ring around the
-/// crosshair, left of figure and strip of wands.
+/// Places the panel `aside` for a card, which is about the player's work at cauldron, orb or crystal. It is
+/// in the free room right of the ring around the crosshair, left of body figure and strip of wands.
 void place_aside(const Arrangement& how, InUnits& out) {
     constexpr float min_wide = 180, min_high = 48;
     if (how.alone && how.lesson) return;

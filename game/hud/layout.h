@@ -28,7 +28,7 @@ struct ViewLayout {
                      ///< warnings are shown (px)
     Panel health, name;
     Panel strip;
-    float strip_columns{};  ///< number of wands in one row of the strip
+    float strip_columns{};  ///< number of wands in one row of the strip of wands
     Panel feed;
     Panel messages;
     /// Panel for the force on the hand: its curve while the views show forces, otherwise only the name of the
@@ -55,7 +55,7 @@ struct HudLayout {
     std::array<std::optional<ViewLayout>, players> views;
     float unit{};  ///< length of a HUD unit in panels of the whole window (px)
     Panel score;
-    Panel notices;  ///< notices for both players
+    Panel notices;  ///< panel for notices, which are short messages to both players
     /// Panel for the instructions of a lesson (the Apprentice); std::nullopt: no lesson now, or there are two
     /// views.
     std::optional<Panel> lesson;
@@ -79,8 +79,8 @@ inline constexpr float heard_line_high = 20;
 
 /// What is shown at present and needs room in the layout.
 struct LayoutWishes {
-    /// true: the text of a lesson is shown. In a window with one view, the other panels are then no larger
-    /// than that text allows.
+    /// true: the text of a lesson is shown. In a window with one view, the other panels then leave room for
+    /// it and are smaller where necessary.
     bool lesson = false;
     /// For each player, true if the player is at a station (cauldron, orb or crystal). In a tall view, the
     /// ring around the crosshair then leaves room below it for the card, the panel about the work there.

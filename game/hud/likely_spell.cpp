@@ -62,8 +62,8 @@ bool is_long_enough(gesture::Points stroke, double least) {
     return length >= least;
 }
 
-/// The gesture that is shown for the present picture. It is computed from all recognitions since the start of
-/// the stroke, so it depends only on the stroke.
+/// The gesture that the screen shows at present for an unfinished stroke. It is computed from all
+/// recognitions since the start of the stroke, so it depends only on the stroke.
 std::uint32_t told_gesture(const CastingPicture& casting, LikelySpace& space) {
     const auto& stroke = casting.stroke;
     auto& answers = space.answers_of(casting);

@@ -26,7 +26,8 @@ const fvec4 bright_gold = colour(0xFFD98A, 1.0F);
 
 constexpr std::size_t fewest_rows = 4;
 
-/// Positions and sizes of a menu (px). The rows shown are `visible` rows from `first` on.
+/// Positions and sizes of a menu (px). If not all rows fit, `visible` rows are shown, from the row `first`
+/// on.
 struct MenuLayout {
     float unit{};  ///< length of a HUD unit (px): 1 px in a window of 720 lines at a text size of 100 %
     float title_top{}, line_top{}, seats_top{}, seats_height{};

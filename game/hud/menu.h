@@ -22,8 +22,8 @@ struct MenuRow {
     bool operator==(const MenuRow&) const = default;
 };
 
-/// The place of one player on the start screen, drawn with the team's mark: the player and the player's
-/// device.
+/// One player's place on the start screen: the names of the player and of the device, drawn with the team's
+/// mark.
 struct MenuSeat {
     std::string head{}, device{};
     bool taken = false;

@@ -30,13 +30,14 @@ bool would_spoil(std::string_view carried, const RecipePicture& recipe) {
            (recipe.step == RecipeStep::ingredient && recipe.next != carried);
 }
 
-/// Whether the next step must wait until the newest ingredient is mixed well enough.
+/// Whether the recipe's next step must still wait until the newest ingredient is mixed well enough.
 bool is_too_soon(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient && recipe.reached < recipe.least;
 }
 
-/// The prompt for a player who stands at the cauldron's rim without holding the ladle. In that place fire
-/// shoots, so a player with an ingredient is shown the control for stirring as well.
+/// The prompt for a player who stands at the cauldron's rim without holding the ladle. There the control for
+/// fire still shoots the wand, so a player who carries an ingredient is told to stir first and then to drop
+/// it.
 Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
     const bool strays = p.stations.recipe.step == RecipeStep::ingredient && !p.stations.recipe.secret;
     if (!p.stations.carries.empty() && strays && would_spoil(p.stations.carries, p.stations.recipe))

@@ -14,11 +14,12 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float min_row = 18, dot_wide = 14;  // height of a row, and width of a dot (HUD units)
-constexpr float min_band = 60;                // minimum width of the force scale (HUD units)
+// height of the row about the next stroke, and width of one of its dots (HUD units)
+constexpr float min_row = 18, dot_wide = 14;
+constexpr float min_band = 60;  // minimum width of the force scale (HUD units)
 // Text size of the words for the force (HUD units), and the smallest size that is used (px).
 constexpr float words_size = 13, min_words_px = 12;
-constexpr double max_shown_n = 2.5;  ///< force at the right end of the scale (N)
+constexpr double max_shown_n = 2.5;  ///< force at the right end of the force scale (N)
 
 std::string percent(double share) { return text(std::lround(100 * share), " %"); }
 
@@ -151,7 +152,8 @@ void add_ghost(Overlay& out, const RecipePicture& recipe, fvec2 centre, float ha
     for (std::size_t i = 1; i < points.size(); ++i)
         out.items.emplace_back(LineItem{at(i - 1), at(i), std::max(1.5F, 2 * u), paints.soft});
     out.items.emplace_back(ArcItem{at(0), 0, 3 * u, 0, whole_turn, paints.white});
-    // Duration of the running dot's loop (s), and share of the loop for which the dot rests at the end.
+    // Time of one run of the dot along the stroke's shape (s), and share of it for which the dot rests at the
+    // end.
     constexpr double period = 1.6, pause = 0.25;
     const double share = std::min(1.0, std::fmod(seconds, period) / period / (1 - pause));
     const auto runner = static_cast<std::size_t>(share * static_cast<double>(points.size() - 1));

@@ -15,7 +15,7 @@
 
 namespace thaum::game::inline hud {
 
-/// Contents of the bar, except the time of the picture.
+/// Contents of a replay's bar, except the time of the picture.
 struct ReplayBar {
     Tick length{};   ///< length of the log (ticks)
     Tick indexed{};  ///< tick up to which every jump is quick, because states are stored (ReplayIndex)
@@ -28,7 +28,7 @@ struct ReplayBar {
     bool operator==(const ReplayBar&) const = default;
 };
 
-/// Positions of the bar's parts, none of which overlap.
+/// Positions of the parts of a replay's bar, none of which overlap.
 struct ReplayBarLayout {
     float unit{};  ///< length of a HUD unit (px)
     Panel band;    ///< the whole bar, at the lower edge of the window

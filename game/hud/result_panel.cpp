@@ -21,10 +21,11 @@ struct Announcement {
     fvec4 paint{paints.white};
 };
 
-// Sizes in HUD units. Those of the table of hits are: distance of each player's side from the middle, space
-// below a row, and text size.
+// Margin, gaps, widths and text sizes of the panel (HUD units).
 constexpr float sheet_margin = 12, sheet_gap = 6, narrowest = 360, widest = 1000;
 constexpr float head_size = 34, line_size = 19, keys_size = 17;
+// Table of hits: distance of each player's column from the middle, space below a row, text size of the rows
+// and of the players' names above them (HUD units).
 constexpr float table_aside = 42, table_gap = 3, table_size = 15, table_head = 17;
 constexpr float any_height = 1e5F;
 
@@ -33,7 +34,7 @@ struct Cells {
     float high() const { return std::max(words[0].height(), words[1].height()) + table_gap; }
 };
 
-/// The texts of a panel, broken into lines that fit its width. Lengths are in HUD units.
+/// The texts of the result or pause panel, broken into lines that fit its width. Lengths are in HUD units.
 struct Sheet {
     FittedWords head, line, keys;
     std::vector<Cells> rows{};  ///< the table of hits; its first row has the players' names

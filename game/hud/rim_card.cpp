@@ -26,10 +26,10 @@ constexpr float readable = 12;                   // text size below which text s
 
 std::string whole_seconds(double seconds) { return text(std::lround(std::ceil(seconds)), " s"); }
 
-/// Whether the brew has ingredients of a recipe. What text and gauge call mixed is then the share of the brew
-/// that the newest ingredient has reached, which decides when the recipe's next step is due. That goes on
-/// even after the recipe has failed, because a change to the other measure, the evenness, would look as if
-/// the brew had separated.
+/// Whether the brew has ingredients of a recipe. If so, text and gauge call "mixed" the share of the brew
+/// that the newest ingredient has reached, because that decides when the recipe's next step is due. Otherwise
+/// they show the evenness of the mixture. The share is kept even after the recipe has failed, because a
+/// change to the evenness would look as if the brew had separated.
 bool has_recipe(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke ||
            recipe.step == RecipeStep::spoilt;
@@ -107,7 +107,7 @@ struct Parts {
     bool ghost = true, potions = true, brew = true;
 };
 
-/// Fits the texts about the brew and the potions, on one line if there is room.
+/// Breaks and sizes a card's texts about the brew and the potions so that they fit, on one line if possible.
 void fit_state(const RimCard& card, const Parts& parts, float em, fvec2 room, FittedCard& out) {
     const auto both = text(card.brew, "   ", card.potions);
     const bool said = parts.brew && parts.potions && !card.brew.empty() && !card.potions.empty();
@@ -228,7 +228,7 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, fvec2 corner, float wide, f
     };
     if (gauge.goal > 0) mark(gauge.goal);
     if (gauge.window) {
-        // A line above the bar, between two marks, shows the window for the next step.
+        // A line above the bar, between two marks, shows when the recipe's next step may come.
         mark(gauge.window->x);
         mark(gauge.window->y);
         out.items.emplace_back(LineItem{{corner.x + gauge.window->x * wide, corner.y},

@@ -5,7 +5,7 @@
 //     | ghost |  Ember and salt, mixed 57 %, boils over in 9 s   the brew
 //     |       |  Haste 12 s                                      potions that act on the wizard
 //     +-------+  o o .  gently  [==|====      ]                  strokes done, and the band of their force
-//                [=====|=====|     ]                             mixing with the moment for the next step; time left
+//                [=====|=====|     ]                             mixing, moment for the next step; time left
 #pragma once
 #include <span>
 #include <string>
@@ -21,13 +21,13 @@ namespace thaum::game::inline hud {
 struct BrewGauge {
     float mixed{}, fresh{};
     float goal{};  ///< value of `mixed` from which on the brew counts as well mixed
-    /// Range of `mixed` in which the next step of a recipe may come; std::nullopt: no step is waiting for its
-    /// window.
+    /// Range of `mixed` in which the next step of a recipe may come; std::nullopt: no such step is due, or it
+    /// may come at any value.
     std::optional<fvec2> window{};
     fvec4 paint{};  ///< colour of the brew's owner
 };
 
-/// The contents of a card. Empty texts are not shown.
+/// The contents of a card, the panel about the work at cauldron, orb or crystal. Empty texts are not shown.
 struct RimCard {
     std::string step, brew, potions;
     BrewGauge gauge;

@@ -3,7 +3,7 @@
 //
 //     +-------+  Find the core, stay there for 1.5 s                             the next step
 //     | curve |  Force and follow, [1] to [6] change                             the state
-//     |       |  Haste 12 s                                                      potions that act on the wizard
+//     |       |  Haste 12 s                                                      potions that act now
 //     +-------+  [===|       ]                                                   time at the core, or overlap
 //                [=======    ]                                                   focus
 #pragma once

@@ -34,8 +34,8 @@ std::vector<Choice> choices_of(const PlayerPicture& p) {
     return result;
 }
 
-/// Cells from left to right and then downwards, in as few columns as leave each cell high enough for a line
-/// of text.
+/// Divides a box into `count` cells from left to right and then downwards, in as few columns as leave each
+/// cell high enough for a line of text.
 std::vector<Panel> cells_of(const Panel& box, float u, std::size_t count) {
     const fvec2 room = box.high - box.low;
     const auto max_rows = static_cast<std::size_t>(std::max(1.0F, std::floor(room.y / (u * min_high))));

@@ -37,13 +37,14 @@ std::string words_of_miss(const CastingPicture& casting) {
     return text(why, "; nearest: ", shown_gesture(casting, reading.nearest));
 }
 
-/// The key of a chord in brackets: "[1]".
+/// Name in brackets of the wand key that casts a spell while the button Trace is held: "[1]".
 std::string key_of(std::uint32_t slot, const ControlNames& controls) {
     const bool named = slot < controls.wands.size() && !controls.wands[slot].empty();
     return named ? text("[", controls.wands[slot], "]") : text("[", slot + 1, "]");
 }
 
-/// Text about a stroke and its spell: "Circle 97 %: Shield", or "[1] Shield" for a key chord.
+/// Text about a stroke and its spell: "Circle 97 %: Shield", or "[1] Shield" if a wand key has cast it with
+/// Trace held.
 std::string words_of_cast(const CastingPicture& casting, const Presentation& shown,
                           const ControlNames& controls) {
     const auto& reading = casting.reading;

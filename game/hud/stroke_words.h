@@ -1,8 +1,8 @@
 // game/hud/stroke_words.h: the caption after a stroke. It gives the recognised gesture, its probability and
 // the result: "Circle 97 %: Shield, gentle", "not read; nearest: S", "Circle 97 %: Shield needs 12 more
-// focus". A key chord draws nothing, so its caption has the key: "[1] Shield, gentle". For a stroke that is
-// too small or too quick to be read, the caption says so. Free casting (without a button) has a caption if a
-// spell was almost cast.
+// focus". A spell that a wand key casts while Trace is held has no stroke, so its caption has the key: "[1]
+// Shield, gentle". For a stroke that is too small or too quick to be read, the caption says so. Free casting
+// (without a button) has a caption if a spell was almost cast.
 #pragma once
 #include <string>
 

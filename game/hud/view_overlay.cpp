@@ -61,9 +61,9 @@ struct HealthArcs {
 };
 constexpr HealthArcs with_focus{29, 36, 37, 39.5F, 19, 19};
 
-/// Adds the halves of the Great Work that the player holds, in the upper corners of the health's box: the
-/// potion Azoth as the left half of a disc, and the Lens as the right half with a dot, so that both together
-/// make a whole.
+/// Adds the halves of the Great Work (two things that win a round if held together) that the player holds, in
+/// the upper corners of the health's box: the potion Azoth as the left half of a disc, and the Lens as the
+/// right half with a dot, so that both together make a whole.
 void add_halves(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     const float u = l.unit, radius = 8 * u;
     const auto gold = colour(0xFFD060, 1.0F);
@@ -143,7 +143,7 @@ void add_wands(Overlay& out, const Picture& picture, const ControlNames& control
 
 // Crosshair -------------------------------------------------------------------------------------------------
 
-/// Draws around the crosshair. Lengths are in HUD units.
+/// Draws shapes around the crosshair. All lengths that its functions take are in HUD units.
 struct Pen {
     Overlay& out;
     fvec2 centre;
@@ -275,8 +275,9 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 
 // Messages --------------------------------------------------------------------------------------------------
 
-/// Message about a problem of the arm that the player must solve. Empty if there is none, and for a player
-/// without an arm, since such a player feels no forces. `told`: true if the driver has reported the fault.
+/// Message about a problem of the arm (a real force-feedback device) that the player must solve. Empty if
+/// there is none, and for a player without an arm, who feels no forces. `told`: true if the arm's driver has
+/// reported the fault in its own words.
 std::string_view fault_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {
@@ -294,8 +295,8 @@ std::string_view fault_of(const ForcePicture& force, bool told) {
     }
 }
 
-/// Caption about the force on the hand, such as a limit that acts, for a player with an arm; empty if there
-/// is none.
+/// Caption about the force on the hand, such as a limit that acts, for a player with an arm (a real
+/// force-feedback device); empty if there is none.
 std::string_view caption_of(const ForcePicture& force) {
     using haptics::SafetyCause;
     if (force.arm == ArmCondition::none) return {};
@@ -453,7 +454,7 @@ void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l
 
 /// Adds the figure of the body while the body feels something.
 void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
-    constexpr double shown_s = 0.8;  // time for which the figure stays
+    constexpr double shown_s = 0.8;  // time for which the figure stays after the body has felt something
     if (p.senses.since_felt_s <= shown_s) add_figure(out, l.figure, p.senses.felt);
 }
 

@@ -95,7 +95,8 @@ std::size_t next_in_slots(const std::vector<WandPresentation>& wands, std::size_
     return static_cast<std::size_t>(next - wands.begin());
 }
 
-/// Short labels of controls for which the rule of brief_label gives an unsuitable one.
+/// Short labels of controls for which the first letters of their words, which brief_label takes, would be
+/// unclear.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 31> short_labels{{
     {"Comma", ","},        {"Period", "."},         {"Minus", "-"},           {"Equal", "="},
     {"Slash", "/"},        {"Backslash", "\\"},     {"Semicolon", ";"},       {"Apostrophe", "'"},

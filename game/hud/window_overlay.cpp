@@ -64,7 +64,7 @@ struct Notice {
     float size = 14;  ///< text size (HUD units)
 };
 
-/// Lines for both players, the most important first.
+/// Notices, which are short messages for both players, the most important first.
 std::vector<Notice> notices_of(const Picture& picture, const HudSettings& settings) {
     std::vector<Notice> all;
     constexpr float large = 22;  // text size of notices that may end the round (HUD units)
@@ -155,7 +155,8 @@ void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
 
 constexpr std::uint32_t wall_player = 0;  // the practice range has only one person, the first player
 
-/// Box of the gesture wall: on the left, between the notices and the name.
+/// Box of the gesture wall, the panel with all gestures on the practice range: on the left, between the
+/// notices and the name.
 Panel wall_box(const HudLayout& layout) {
     // Largest width of the gesture wall, and gap around it (HUD units)
     constexpr float wide = 390, beside = 12;

@@ -14,7 +14,8 @@ Error no_jacket(std::string_view words, std::string_view why) {
     return fail(text("'", printable(words, max_words_shown), "' is no jacket: ", why));
 }
 
-/// The jacket of the form that has this word, without a place; no jacket if no maker has such a form.
+/// The kind of jacket that the setting names by this word, without a place; no jacket if no maker has such a
+/// kind.
 Jacket with_word(std::string_view word) {
     for (const auto& maker : jacket_makers()) {
         const auto found = std::ranges::find(maker.forms, word, &JacketForm::word);

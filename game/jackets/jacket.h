@@ -21,8 +21,8 @@ inline constexpr JacketLayout no_layout{};
 struct Jacket {
     const JacketMaker* maker{};  ///< maker of the jacket; null: no jacket
     const JacketForm* form{};    ///< which of the maker's kinds of jacket it is; null: no jacket
-    /// Place in the maker's own spelling (JacketMaker::read): equal places of a maker are one device, or one
-    /// file.
+    /// Place of the jacket (address, device or file) in the maker's own spelling (JacketMaker::read): equal
+    /// places of a maker are one device, or one file.
     std::string place{};
     bool operator==(const Jacket&) const = default;
 

@@ -1,6 +1,6 @@
-// game/jackets/jacket_maker.h: support for the jackets of one maker. It is one source of game/jackets/makers,
-// which registers a JacketMaker. The settings, their messages, `thaum doctor` and a session know a maker's
-// jackets by this value alone.
+// game/jackets/jacket_maker.h: support for the jackets of one maker. Each maker has one source file in
+// game/jackets/makers, which registers a JacketMaker. Everything else, such as the settings and `thaum
+// doctor`, knows a maker's jackets by that value alone.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -27,8 +27,8 @@ struct JacketLayout {
 struct JacketForm {
     std::string_view word;
     JacketLayout layout;
-    /// Place that is meant if the setting is the word alone, as JacketMaker::read returns it; std::nullopt:
-    /// the word alone is no valid setting.
+    /// Place (address, device or file) that is meant if the setting is the word alone, as JacketMaker::read
+    /// returns it; std::nullopt: the word alone is no valid setting.
     std::optional<std::string_view> usual_place{};
 };
 

@@ -1,4 +1,5 @@
-// game/jackets/jacket_output.h: base of the outputs that tell why their jacket is no longer connected.
+// game/jackets/jacket_output.h: base class of outputs to jackets. It tells why the jacket is no longer
+// connected.
 #pragma once
 #include <string>
 
@@ -11,7 +12,7 @@ public:
     std::string fault() final { return fault_; }
 
 protected:
-    std::string fault_{};  ///< words of `fault`; empty: the jacket has not been given up
+    std::string fault_{};  ///< why the jacket has been given up, in words; empty: it has not been
 };
 
 }  // namespace thaum::game::inline jackets

@@ -1,10 +1,11 @@
-// game/lab/body_feel.h: the feel of a body as a whole in the volume lab, F = A + R(v) + S(n) and walls
-// (haptics/volume/volume_feel.h), as parts with numbers:
+// game/lab/body_feel.h: the feel of a body as a whole in the volume lab, as parts with numbers. The force on
+// the hand is F = A + R(v) + S(n): A is ambient, R(v) a drag against the hand's velocity v, and S(n) acts
+// along the density's gradient. Walls are added to it (haptics/volume/volume_feel.h):
 //
 //     opacity  S R                  force along the gradient (N) and drag (N s/m) where the picture is opaque
 //     attract  S R                  the same, but drawn towards opaque matter, to follow thin structures
 //     shell    LOW HIGH S R         the same within a shell between two densities
-//     wall     DENSITY S FRICTION   surface of one density, which the hand breaks through with a force above S (N)
+//     wall     DENSITY S FRICTION   surface of one density, through which a force above S (N) breaks
 //     gravity  X Y Z                ambient force (N)
 //     plane    X Y Z NX NY NZ S     guide plane through a place (m), with a normal and its largest force (N)
 //
@@ -43,7 +44,7 @@ struct FeelForm {
 std::span<const FeelForm> feel_forms();
 const FeelForm& form_of(FeelKind kind);
 
-/// Makes a part. The error says what is wrong with the name or the numbers.
+/// Makes a part of a body's feel, such as a wall. The error says what is wrong with the name or the numbers.
 Expected<FeelPart> feel_part(std::string_view name, std::span<const double> numbers);
 
 /// Combines parts into one feel, the force law by which a body is felt. `opacity`: the picture's opacity as a

@@ -36,7 +36,7 @@ void turn_cells(LabHands& hands, const Rules&, int way) {
     hands.settings.cells = lab_cells[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + way, 0, last))];
 }
 
-/// Replaces the chosen substance by the next ingredient in the rules that no other substance already is.
+/// Replaces the chosen substance by the next ingredient in the rules that is not yet one of the substances.
 void turn_ingredient(LabHands& hands, const Rules& rules, int) {
     Ingredient* current = chosen(hands);
     const auto& all = rules.ingredients;

@@ -14,8 +14,11 @@ namespace thaum::game::inline lab {
 namespace {
 
 constexpr double round_s = 4;
-constexpr double width_share = 0.25;   // radius of the circle, as a share of the narrower horizontal edge
-constexpr double height_share = 0.45;  // start and turning point of a press, as a share of the height
+// radius of the circle, as a share of the workspace's narrower horizontal edge
+constexpr double width_share = 0.25;
+// height of a press's start and turning point above and below the middle, as a share of the workspace's
+// height
+constexpr double height_share = 0.45;
 
 constexpr std::size_t max_trace = 512U << 20U;  // maximum size of a file with a hand's path (bytes)
 constexpr std::array<std::string_view, 6> trace_titles{"time_s",   "hand_x_m", "hand_y_m",

@@ -55,7 +55,7 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     return brew;
 }
 
-/// Whether two settings can share a fluid: the same grid, tables and walls.
+/// Whether a fluid can go on under other settings, because its grid, walls and solver stay the same.
 bool same_grid(const LabSettings& a, const LabSettings& b) {
     return a.solver == b.solver && a.cells == b.cells && a.order == b.order && a.bowl == b.bowl &&
            a.no_slip == b.no_slip && a.room == b.room && a.substances.size() == b.substances.size();

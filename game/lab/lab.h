@@ -33,13 +33,14 @@ struct LabBowl {
 struct LabSettings {
     fluid::Solver solver = fluid::Solver::thaum;
     int cells = 32;  ///< number of cells from wall to wall, one of lab_cells
-    int order = 4;   ///< order of accuracy, 2 or 4; the solver uses 2 at a solid bowl
+    int order = 4;   ///< order of the solver's accuracy, 2 or 4; with a solid bowl it is always 2
     /// false: a box around the bowl instead of the bowl; the solver `classic` supports only the box
     bool bowl = true;
     bool no_slip = true;    ///< true: the fluid sticks to the walls; the surface is always free
     double viscosity{};     ///< kinematic viscosity of the base fluid (m^2/s)
     double gravity = 9.81;  ///< downward acceleration (m/s^2)
-    std::vector<Ingredient> substances{};  ///< the substances, at most fluid::max_substances
+    /// the ingredients that can be poured, at most fluid::max_substances
+    std::vector<Ingredient> substances{};
     LabBowl room{};
 };
 
@@ -52,7 +53,7 @@ struct LabData {
 /// Reads assets/cauldron.toml and the arena's first bowl. The error names file, line and key.
 Expected<LabData> load_lab_data(const std::filesystem::path& assets);
 
-/// Settings with the first ingredients, in the match's bowl.
+/// Settings with the match's first ingredients as substances, in the match's bowl.
 LabSettings lab_settings(const LabData& data);
 
 struct LabPour {
@@ -106,7 +107,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings);
 /// Computes one step of lab_dt. With `jobs` the fluid step may run on another thread, with the same result.
 LabFigures step_lab(LabState& lab, const LabInput& input, Jobs& jobs);
 
-/// Figures of the present state. Those that only a step has, such as forces, are zero.
+/// Numbers about the present state of the brew. Those that only a step has, such as forces, are zero.
 LabFigures figures_of(const LabState& lab);
 
 }  // namespace thaum::game::inline lab

@@ -25,8 +25,8 @@ constexpr double usual_strength = 0.8;
 constexpr double reach_samples = 2;
 /// Largest distance of a volume's middle from that of the workspace, along each axis (m).
 constexpr double farthest_place = 1;
-/// Displacement of a volume in one change of settings from which on the change counts as a jump of its feel
-/// (m).
+/// Displacement of a volume in one change of settings above which the servo fades to the new force instead of
+/// giving it at once (m).
 constexpr double jump = 0.001;
 constexpr std::int64_t device_file_version = 1;
 constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
@@ -167,7 +167,8 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
     return {};
 }
 
-/// Moves all volumes to their places. Returns whether any of them has jumped.
+/// Moves all volumes to their places. Returns whether any of them has turned, changed its size, or moved by
+/// more than `jump`, so that the servo must fade to the new force.
 bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     bool jumps = false;
     const auto place_of = [&](std::size_t n) { return n < places.size() ? places[n] : LabPlace{}; };
@@ -223,8 +224,8 @@ void fill_primitives(VolumeLab& lab, vec3 tip, vec3 motion) {
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
-/// Makes one servo step without the safety stage and the account of energy. Returns the force on the hand
-/// (N).
+/// Computes the force on the hand once (N): a servo step that omits what counts in ticks of 1 ms, the safety
+/// stage and the account of the energy that the forces give.
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
     // Displacement of the tip over the last whole tick. Over one short step, most of it would be the
     // quantisation of the device.
@@ -249,7 +250,8 @@ vec3 pure_step(VolumeLab& lab, vec3 tip) {
                    lab.device.peak_force);
 }
 
-/// Runs one tick of servo and hand. The tip and force in the figures are those of the tick's first step.
+/// Runs one tick of the forces (servo) and the simulated hand. `figures` gets tip and force at the tick's
+/// start.
 void feel_and_move(VolumeLab& lab, vec3 target, VolumeLabFigures& figures) {
     figures.tip = haptics::measured_position(lab.device, lab.hand);
     if (lab.steps_per_tick == 1) {
@@ -268,7 +270,8 @@ void feel_and_move(VolumeLab& lab, vec3 target, VolumeLabFigures& figures) {
     }
 }
 
-/// Applies the tool at the proxy if the tool is held and its next application is due.
+/// Applies the carving tool where the hand touches the body (the proxy), if the tool is held and its next use
+/// is due.
 field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     if (!lab.carvable() || tool >= lab.data.tools.size()) return {};
     const vec3 place = field::to_own(lab.placement, lab.servo_state.proxy);
@@ -282,7 +285,7 @@ field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     return field::edit(lab.body.view(), lab.data.tools[tool], dab, lab.history);
 }
 
-/// Starts anew with the device in lab.data. The hand rests at the top of the workspace.
+/// Starts servo and hand anew with the device in lab.data. The hand rests at the top of the workspace.
 void take_up_device(VolumeLab& lab) {
     const auto& spec = lab.data.device;
     lab.device = haptics::simulated_device(spec, haptics::Hand{}, tick_seconds / lab.steps_per_tick);
@@ -353,7 +356,7 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
     lab.usual_level = field::usual_level(volume);
     lab.source = std::move(volume);
     if (lab.carvable()) {
-        auto body = field::voxels_of(std::move(lab.source));  // which keeps all but its samples
+        auto body = field::voxels_of(std::move(lab.source));  // the source keeps all but its samples
         if (!body) return body.error();
         lab.body = std::move(*body);
         lab.history = field::make_history(lab.body.view());
@@ -507,8 +510,8 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
     }
     figures.edit = use_tool(lab, input.carve && input.history == 0, input.tool);
     lab.edited |= figures.edit.voxels > 0;
-    // If the body under the hand has changed, the model gets a new number, and the servo fades to the new
-    // force.
+    // If the body under the hand has changed, the haptic model gets a new number. At a new number the servo
+    // fades to the new force, so that the force does not jump.
     if (lab.carvable() && lab.body.bricks.newest != before) ++lab.model.set_number;
     refresh(lab);
     lab.model.field_motion = lab.moved;

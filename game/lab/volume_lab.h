@@ -3,7 +3,8 @@
 //     VolumeLabInput (hand, tool, changed settings) -> step of 1 ms -> VolumeLab, VolumeLabFigures
 //
 // A scalar volume becomes a body of voxels, so a carved change is felt and drawn at once. A vector volume is
-// a flow and cannot be carved. The hand holds a simulated device, and the modes' primitives act on its proxy.
+// a flow and cannot be carved. The hand holds a simulated device. Modes and walls act on its proxy, a point
+// to which the device's tip is coupled by a spring.
 //
 // More volumes may be added, also at the same place. They are felt and seen, but not carved. Each volume has
 // a place of its own that moves its feel and its picture together.
@@ -35,10 +36,11 @@
 
 namespace thaum::game::inline lab {
 
-/// Largest number of servo steps in a tick of 1 ms. A step then takes 0.2 ms.
+/// Largest number of servo steps, each of which computes the force anew, in a tick of 1 ms. A step then takes
+/// 0.2 ms.
 inline constexpr int max_steps_per_tick = 5;
 
-/// Ticks between two applications of a tool that is held.
+/// Ticks between two uses of a carving tool (dabs) while it is held.
 inline constexpr Tick ticks_of_a_dab = 8;
 
 struct LabMode {
@@ -63,8 +65,8 @@ inline constexpr double min_place_scale = 0.05, max_place_scale = 20;
 /// Settings that can change during a session.
 struct VolumeLabSettings {
     std::vector<LabMode> modes{};  ///< haptic modes (ways to feel a field) that act together
-    std::vector<FeelPart> feel{};  ///< parts of the feel of the body as a whole; empty: only the modes are
-                                   ///< felt
+    /// parts of the force law (feel) by which the body as a whole is felt; empty: only the modes are felt
+    std::vector<FeelPart> feel{};
     /// Opacity of the picture as a function of density; `feel` may use it.
     field::TransferFunction opacity{};
     std::vector<LabPlace>
@@ -87,7 +89,7 @@ Expected<haptics::DeviceSpec> load_lab_device(const std::filesystem::path& asset
 
 /// The samples of a volume in the forms in which modes, filters and the body's feel read them.
 struct LabSource {
-    field::BlockAverages averages{};  ///< block averages of the densities
+    field::BlockAverages averages{};  ///< means of the densities over blocks of samples
     haptics::SmoothGrid density{};
     field::StaggeredGrid flow{};
     field::Placed<field::Scalar> placed_density{};  ///< density in the lab's frame
@@ -127,7 +129,8 @@ struct VolumeLab {
     std::unique_ptr<LabSource> views = std::make_unique<LabSource>();
     std::vector<std::unique_ptr<LabField>> fields{};  ///< fields that the modes read, one for each mode, in
                                                       ///< the order of settings.modes
-    haptics::VolumeFeel feel{};                       ///< the feel that settings.feel describes
+    /// law of the forces by which the body is felt, as settings.feel describes it
+    haptics::VolumeFeel feel{};
     haptics::MaterialTable material_table{};
 
     haptics::SimulatedDevice device{};
@@ -135,10 +138,12 @@ struct VolumeLab {
     haptics::Servo servo{};
     haptics::ServoState servo_state{};
     haptics::HapticModel model{};
-    int steps_per_tick = 1;  ///< servo steps in a tick; set by set_servo_rate
-    /// Positions of the tip at the last steps, newest first, if a tick has several steps (m).
+    int steps_per_tick = 1;  ///< servo steps (computations of the force) in a tick; set by set_servo_rate
+    /// Positions of the device's tip at the last servo steps, newest first, if a tick has several steps (m).
     std::array<vec3, max_steps_per_tick> tips{};
-    double moved{};  ///< longest displacement that any volume made at the tip since the last step (m)
+    /// longest distance by which the person's move of a volume has displaced it at the tip since the last
+    /// step (m)
+    double moved{};
     Tick tick{};
     vec3 last_dab{};       ///< position of the tool at its last use (m)
     bool carving = false;  ///< true: the tool is held
@@ -158,8 +163,12 @@ struct VolumeLabInput {
 
 /// Results of one step.
 struct VolumeLabFigures {
-    vec3 tip{}, proxy{}, force{};  ///< positions of tip and proxy (m), and force on the hand (N)
-    double value{};  ///< value of the volume at the proxy, without filters: density, or length of the vector
+    /// positions of the device's tip and its proxy, the point that modes and walls hold or lead (m); force on
+    /// the hand (N)
+    vec3 tip{}, proxy{}, force{};
+    /// value of the volume where the hand feels it (at the proxy), without filters: density, or length of the
+    /// vector
+    double value{};
     field::Edit edit{};     ///< changes by the tool in this step
     std::string refused{};  ///< reason why a change of settings was rejected; empty: it was not
 };
@@ -167,10 +176,11 @@ struct VolumeLabFigures {
 /// Makes a session. The error says what is wrong with the volume, such as too few samples along an axis.
 Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 
-/// Makes the servo step `steps_per_tick` times in a tick, 1 to max_steps_per_tick. With several steps, a step
-/// is reduced to tip -> modes -> balance -> force, because the servo's safety stage and its account of energy
-/// count in ticks of 1 ms. The force is then limited only by the device's peak, and only the device, the hand
-/// and the drag of the body's feel damp the motion. So this must only be used with a simulated device.
+/// Computes the force `steps_per_tick` times in a tick, 1 to max_steps_per_tick. With several servo steps,
+/// each only reads the tip, lets the modes act, finds their balance and gives the force: the servo's safety
+/// stage and its account of energy are left out, because they count in ticks of 1 ms. The force is then
+/// limited only by the device's peak, and only the device, the hand and the drag of the body's feel damp the
+/// motion. So this must only be used with a simulated device.
 void set_servo_rate(VolumeLab& lab, int steps_per_tick);
 
 /// Puts the hand at rest at a position of the workspace.

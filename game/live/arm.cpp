@@ -74,7 +74,8 @@ bool ArmKeeper::wait_for(int ms) {
     return !stopped_.wait_for(lock, std::chrono::milliseconds(ms), [this] { return stop_.load(); });
 }
 
-/// Stores the arm's status and timing. A reopened arm counts as present only from its first tick on.
+/// Stores the arm's status and timing. An arm that was opened again counts as present only once it has given
+/// its first sample.
 void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& times) {
     const bool lost = status.state != input::ArmPresence::present;
     const std::lock_guard lock(mutex_);
@@ -86,7 +87,7 @@ void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& ti
 }
 
 /// Watches the arm until the session ends. A lost arm is closed before it is opened again, so that its old
-/// thread has ended before a new one uses the servo.
+/// servo thread has ended before a new one uses `servo_`.
 void ArmKeeper::watch() {
     while (wait_for(arm_ ? look_ms : try_again_ms)) {
         if (!arm_) {

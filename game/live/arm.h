@@ -19,9 +19,9 @@ namespace thaum::game::inline live {
 
 class ArmKeeper {
 public:
-    /// Opens the arm, and starts its servo ticks and the thread that watches it. The match computes forces
-    /// for the device `wanted`. An arm that can give less force is rejected, because its player would feel
-    /// other forces than those of the log.
+    /// Opens the arm, starts its servo thread, which computes its force every millisecond, and the thread
+    /// that watches it. The match computes forces for the device `wanted`. An arm that can give less force is
+    /// rejected, because its player would feel other forces than those of the log.
     static Expected<std::unique_ptr<ArmKeeper>> open(const input::ArmPlace& place, input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted);
     /// Leaves the arm without force. Does not wait for a library that hangs.
@@ -29,10 +29,11 @@ public:
     ArmKeeper(const ArmKeeper&) = delete;
     ArmKeeper& operator=(const ArmKeeper&) = delete;
 
-    /// Facts about the arm as it was first opened, even if it was lost and opened again since.
+    /// Model, serial number and limits of the arm as it was first opened, even if it was lost and opened
+    /// again since.
     const input::ArmFacts& facts() const { return facts_; }
     input::ArmStatus status() const;
-    /// Timing of the present arm, or of the last one if the arm is lost.
+    /// How well the arm's servo thread kept time; for a lost arm, until it was lost.
     input::TickReport times() const;
     /// Number of times the arm was lost.
     int losses() const;

@@ -39,8 +39,8 @@ struct LiveBody {
     static Expected<LiveBody> load(const std::filesystem::path& assets);
     /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
     const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;
-    /// Kinds of effect (purposes, such as blasts) of which there is at least one effect, in the order of
-    /// tactile::Purpose. Each has a fader in the menu.
+    /// Kinds of effect, by what they tell the player (purposes, such as blasts), of which there is at least
+    /// one effect, in the order of tactile::Purpose. Each has a fader in the menu.
     std::vector<tactile::Purpose> purposes() const;
 };
 
@@ -78,7 +78,7 @@ private:
     const MatchData* data_{};  ///< match data for which `scenes_` were made
     std::optional<MatchEffects> effects_{};
     std::array<std::optional<TactileScene>, players> scenes_{};
-    /// strength of each kind of effect that the scenes use now
+    /// each player's strengths of the kinds of effect (faders) that `scenes_` uses now
     std::array<std::optional<tactile::Faders>, players> faders_{};
     /// last tick at which any cell of the body's picture was lit, for each player
     std::array<Tick, players> felt_at_{};

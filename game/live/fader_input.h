@@ -16,13 +16,13 @@ public:
     /// thread may use this object meanwhile.
     void begin_match(const Values& at_start) { given_ = at_start; }
 
-    // Called by the main thread.
+    /// Called by the main thread: sets the values that the player wants.
     void want(const Values& values) {
         for (std::size_t i = 0; i < values.size(); ++i) wanted_[i] = values[i];
     }
 
-    // Called by the simulation thread.
-    /// The next change of a fader that the match must get; none if the match has all wanted values.
+    /// Called by the simulation thread: returns the next change of a fader that the match must get; none if
+    /// the match has all wanted values.
     input::FaderChange take() {
         for (std::size_t i = 0; i < given_.size(); ++i) {
             const std::uint8_t wanted = wanted_[i];

@@ -26,13 +26,14 @@ public:
     explicit PlayerHands(TakenSeats& seats) : seats_(seats) {}
 
     /// Begins a match with seats that were taken under `settings`. Buttons held now must be released before
-    /// they act in the match. A player with half of the keyboard keeps it in a rematch. The pad of another
-    /// player counts as lost if it is not plugged in.
+    /// they act in the match. A player who had half of the keyboard in the last match keeps it in a rematch.
+    /// Any other player whose pad is not plugged in counts as one who has lost it.
     HandNews begin_match(const Settings& settings, const Pads& pads);
     /// Empties the seats and forgets which devices their players used.
     void leave_seats();
 
-    /// Calls f with the collector of each person's input. A collector ignores controls without a binding.
+    /// Calls f with the collector of each person's input, which gathers the events until the next tick takes
+    /// them. A collector ignores controls without a binding.
     template <class F>
     void each(F&& f) const {
         for (const auto& seat : seats_) {

@@ -43,8 +43,8 @@ struct Live {
     LiveWindow window;
 };
 
-/// Opens the record of the session's match `number`. A match on the practice range is not logged: its record
-/// is the data files of the range.
+/// Opens the log of the session's match `number`, if it is to be recorded. A match on the practice range is
+/// not logged; the result is then the data files of the range.
 Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t number) {
     auto& session = live.session;
     if (auto range = session.next().take_range()) return Recording(std::move(*range));

@@ -65,7 +65,7 @@ struct LiveReport {
     std::uint64_t ticks{}, frames{}, skipped{}, matches{};
     double late_us_median{}, late_us_p99{},
         late_us_worst{};  ///< delay of the simulation thread's wake-ups after their deadline
-    double tick_us_median{}, tick_us_p99{};    ///< duration of one tick with its record and picture
+    double tick_us_median{}, tick_us_p99{};    ///< time to compute and log one tick and to copy its picture
     double frame_ms_median{}, frame_ms_p99{};  ///< time to build, draw and present one picture
     /// quality of pictures at the end; the setting `auto` may have changed it before
     render::Quality quality{};
@@ -126,8 +126,8 @@ struct LivePlan {
     /// screen.
     std::optional<double> seconds{};
     Stall stall{};
-    /// true: the session measures itself. It moves player 1's mouse by synthetic events, leaves the cursor
-    /// free and plays on without the focus.
+    /// true: the session measures its own timing. It moves player 1's mouse by synthetic events, leaves the
+    /// cursor free and plays on without the focus.
     bool probe = false;
     LiveReport* report = nullptr;  ///< receives the timing at the end; null: not wanted
 };

@@ -42,10 +42,10 @@ public:
     /// One character of typed text.
     void character(char32_t character);
     void mouse_button(int button, bool pressed, render::Size window);
-    /// `position` is in pixels from the window's top left.
+    /// Tells the menu where the mouse's cursor is. `position`: from the window's top left (px).
     void cursor(fvec2 position, render::Size window);
     void wheel(double steps);
-    /// The pad with number `place` was in state `before` at the last look.
+    /// Tells the menu the state of the pad with number `place`, at present and at the last look (`before`).
     void pad(int place, const input::PadState& before, const input::PadState& current, std::int64_t now_ns);
     /// Whether the pad has a seat on the start screen.
     bool has_seat(int place) const;
@@ -55,12 +55,12 @@ public:
     /// reported.
     void release() { held_ = {}; }
 
-    /// Returns the last request and forgets it. While a request waits, further events of devices have no
-    /// effect.
+    /// Returns what the menu last asked of the session, such as to start a match, and forgets it. While such
+    /// a request waits, further events of devices have no effect.
     MenuRequest take_request() { return std::exchange(request_, MenuRequest::none); }
-    /// Returns the effect that a player wants to feel, and forgets it.
+    /// Returns the effect on the body that a player wants to try on the mixer's page, and forgets it.
     std::optional<BodyTrialWish> take_trial() { return std::exchange(trial_, {}); }
-    /// Returns the sound of the last event, and forgets it.
+    /// Returns the sound that the menu makes for the last event, and forgets it.
     MenuSound take_sound() { return std::exchange(sound_, MenuSound::none); }
     /// Whether settings have changed since the last call.
     bool take_settings_change() { return std::exchange(settings_changed_, false); }

@@ -69,7 +69,7 @@ std::vector<MenuContext::Named> all_rules(const LivePlan& plan) {
     std::vector<MenuContext::Named> all;
     for (const auto& name : match_lengths(plan.assets)) all.push_back(rules_of(plan.assets, name));
     const auto& chosen = plan.data->choice.match;
-    // The rules of the command line are shown with the changes of --set.
+    // The rules of the command line are shown as changed by --set, whose values replace those of data files.
     const auto row = std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; });
     (row == all.end() ? all.emplace_back() : *row) = told(chosen, plan.data->round);
     return all;

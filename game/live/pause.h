@@ -61,11 +61,13 @@ struct PauseWords {
 /// Reasons of a pause.
 struct PauseFacts {
     std::uint32_t paused_by = no_player;  ///< player who pressed the pause button; no_player: nobody
-    bool focus_lost = false;              ///< the session pressed it, because the window lost the focus
-    std::array<std::optional<int>, players> lost_pad{};  ///< number of each player's lost pad
+    /// true: the session itself pressed the pause button, because the window lost the focus
+    bool focus_lost = false;
+    /// number of each player's lost pad; std::nullopt: none is lost
+    std::array<std::optional<int>, players> lost_pad{};
     /// true: the lost pad is plugged in again, and its player only has to press a button
     std::array<bool, players> plugged_again{};
-    std::uint32_t heir_of_half = no_player;  ///< player who can take half of the keyboard
+    std::uint32_t heir_of_half = no_player;  ///< player who can take half of the keyboard; no_player: nobody
     PlayerNames names{};
     /// key that takes half of the keyboard instead of a pad; empty: it is not free
     std::string key_for_half{};

@@ -12,8 +12,8 @@ std::filesystem::path numbered(const std::filesystem::path& path, std::uint64_t 
     return next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
 }
 
-/// Creates the log under `path` or, if that name is taken, with the next free number. Only creating a file
-/// shows whether its name is free, because another program may look for a name at the same time.
+/// Creates the log under `path` or, if that name is taken, with the next free number. Only an attempt to
+/// create the file shows whether its name is free, because another program may take a name at the same time.
 Expected<input::LogWriter> create_beside(const std::filesystem::path& path, const input::LogHeader& header) {
     constexpr std::uint64_t last_try = 1000;
     auto log = input::LogWriter::create(path, header);

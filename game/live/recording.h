@@ -8,8 +8,8 @@
 
 namespace thaum::game::inline live {
 
-/// Record of the session's match: none, a log, or the data files of the range. The range's data may change
-/// during the match, so a range is never logged: a log's header must stay true.
+/// What a match has beside its play: nothing, a log, or on the range the data files. The range's data may
+/// change during the match, so a range is never logged: a log's header must stay true.
 using Recording = std::variant<std::monostate, input::LogWriter, RangeFiles>;
 
 /// Place of the logs of one session.
@@ -19,8 +19,9 @@ struct LogPlace {
     int kept = 1;                    ///< number of logs that stay in the folder; older ones are deleted
 };
 
-/// Opens the log of the session's match `number` (1: the first). The first match's log gets the name that the
-/// user gave, or opening it is an error. Later logs lie beside it, with the next free number.
+/// Opens the log of the session's match `number` (1: the first). If the user has named a log, that of the
+/// first match must get exactly this name, or the result is an error. Later logs lie beside it, with the next
+/// free number.
 Expected<Recording> record_match(const LogPlace& place, std::uint64_t number, const input::LogHeader& header);
 
 }  // namespace thaum::game::inline live

@@ -16,12 +16,14 @@ constexpr double delay_ms = 6;
 /// The last two pictures, and the picture interpolated between them for the present time.
 struct InterpolationBuffer {
     Picture before = make_picture(), newest = make_picture(), shown = make_picture();
-    PromptUses prompt_uses{};       ///< how often players have used each control, over all pictures so far
+    /// how often each player has done what each prompt asks for, in all pictures so far
+    PromptUses prompt_uses{};
     std::int64_t shown_due_ns = 0;  ///< all ticks due by this time are contained in `shown` (ns)
     bool any = false;
 };
 
-/// Calls f(stamp) for the stamps (times of input events) whose tick was due by `due_ns`, and removes them.
+/// Calls f(stamp) for each stamp (the times of an input event) whose tick was due by `due_ns`, and removes
+/// it.
 template <class Stamps, class F>
 void take_due(Stamps& stamps, std::int64_t due_ns, F f) {
     for (const auto* stamp = stamps.front(); stamp != nullptr && stamp->due_ns <= due_ns;
@@ -53,7 +55,8 @@ const Picture& show(InterpolationBuffer& buffer, double speed) {
     return buffer.shown;
 }
 
-/// Quality of the pictures: the chosen preset, or the one found by `auto`.
+/// Quality of the pictures: the one of the settings or, for the setting `auto`, the one found by measured
+/// times.
 struct QualityChoice {
     render::Quality first{};
     render::AutoQuality found{};
@@ -68,8 +71,8 @@ struct QualityChoice {
     }
 };
 
-/// Period of pictures outside of a match and in a pause (ns). Little moves there: the arena's camera moves by
-/// less than two pixels in that time.
+/// Period of pictures outside of a match and in a pause, when little moves: the camera that circles the arena
+/// moves the picture by less than two pixels in that time (ns).
 constexpr std::int64_t still_period_ns = 66'000'000;
 constexpr double seconds_per_camera_turn = 360;
 
@@ -84,13 +87,15 @@ struct RenderState {
     InterpolationBuffer buffer{};
     FrameMemory memory{};
     QualityChoice quality{};
-    /// number of the qualities, from the lowest on, whose shaders were used already
+    /// number of the qualities, from the lowest on, whose shaders were used already; the first use of a
+    /// shader is slow
     std::size_t warm_qualities = 0;
     std::int64_t next_still_ns = 0;
     FrameTimes frame_times{};  ///< times of the last pictures, while they are shown
 };
 
-/// Picture of the open menu. A menu without a note shows the match's caption, which has no other place then.
+/// The open menu as it is drawn. The match's caption has no place under a menu, so it fills an empty menu
+/// note.
 MenuPicture menu_of(const Screen& screen, const Picture& shown) {
     auto menu = screen.menu;
     if (!screen.arena_scene && menu.note.empty()) menu.note = shown.caption.words;

@@ -8,11 +8,12 @@
 namespace thaum::game::inline live {
 namespace {
 
-/// sleep before the viewer's requests are looked at again (ns)
+/// time for which the thread sleeps before it looks for requests of the viewer again (ns)
 constexpr std::int64_t idle_ns = 8'000'000;
 constexpr double publish_period_ns = 4e6;  ///< period of published pictures, at any speed (ns of real time)
-constexpr std::int64_t max_behind_ns =
-    250'000'000;  ///< a longer delay is not made up for; no tick is lost, all are shown later (ns)
+/// delay behind the clock above which the replay does not hurry to make up for it; no tick is lost, all are
+/// shown later (ns)
+constexpr std::int64_t max_behind_ns = 250'000'000;
 
 struct ReplayThread {
     const ShownReplay& replay;
@@ -38,7 +39,8 @@ void begin_clock(ReplayThread& r) {
     r.start_ns = monotonic_ns() - r.due_ns(r.now());
 }
 
-/// Number of a bookmark that the log has within the last mark_shown ticks; 0: none.
+/// Number of a bookmark of the log within the last mark_shown ticks, which the screen shows; 0: there is
+/// none.
 std::uint32_t recent_mark(const Playback& playback) {
     const auto now = playback.match().now();
     const auto& marks = playback.log().marks();

@@ -4,8 +4,8 @@
 
 namespace thaum::game::inline live {
 
-/// Plays the plan's replay as shared.replay asks, until shared.stop. At the log's end it waits. Calls `wake`
-/// after it has jumped to a tick, so that the main thread notices.
+/// Plays the plan's replay as the viewer asks in shared.replay, until shared.stop. At the log's end it waits.
+/// Calls `wake` after it has jumped to a tick, so that the main thread notices.
 void run_replay(const LivePlan& plan, LiveShared& shared, const std::function<void()>& wake);
 
 }  // namespace thaum::game::inline live

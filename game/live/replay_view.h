@@ -43,8 +43,8 @@ inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
 inline constexpr Tick replay_jump = 5000;  ///< length of a jump by the keys for jumps (ticks)
 inline constexpr Tick replay_step = 16;    ///< length of a single step: one picture at 60 Hz (ticks)
 inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long before the kill (ticks)
-/// A jump back skips a kill if the jump's target, `before_kill` ahead of the kill, is less than this behind
-/// the present tick (ticks).
+/// A jump back to the previous kill leads to `before_kill` ticks before it. A kill is skipped if that place
+/// is less than this time before the present tick, so that repeated jumps lead to ever earlier kills (ticks).
 inline constexpr Tick same_kill = 1000;
 
 /// The viewer's choices after an action by a key (`deed`). `length`: ticks of the log; `kills`: those known,
@@ -71,7 +71,7 @@ public:
 
     void key(int key);
     void mouse_button(int button, bool pressed, render::Size window, double text_scale);
-    /// `place`: from the top left of the window (px).
+    /// Tells the viewer where the cursor is. `place`: from the top left of the window (px).
     void cursor(fvec2 place, render::Size window, double text_scale);
 
     Watch watch() const { return watch_; }
@@ -86,7 +86,7 @@ private:
     PlayerNames names_;
     Watch watch_ = Watch::both;
     fvec2 cursor_{};
-    bool drags_ = false;  ///< the mouse button went down on the bar and is held
+    bool drags_ = false;  ///< true: the mouse button went down on the time bar and is still held
 };
 
 }  // namespace thaum::game::inline live

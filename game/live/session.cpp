@@ -194,7 +194,8 @@ input::LogHeader LiveSession::log_header(std::uint64_t seed) const {
     for (const auto& seat : shared_.seats)
         kinds.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
     MatchSetup setup{.seed = seed, .devices = devices_of(shared_.seats, shared_.arms)};
-    (void)use_profile(*next_.data(), profile_, setup);  // gestures that do not fit were left out
+    // own gestures that do not suit the match's data were left out
+    (void)use_profile(*next_.data(), profile_, setup);
     auto header = game::log_header(*next_.data(), setup, std::move(kinds));
     record_names(names(), header);
     return header;
@@ -226,7 +227,7 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     carry_out_request();
 }
 
-/// Pauses when the focus is lost for long. A session that measures itself plays on.
+/// Pauses when the focus is lost for long. A session that measures its own timing plays on.
 void LiveSession::pause_without_focus(std::int64_t now_ns) {
     const auto person = first_person(shared_.seats);
     if (plan_.probe || !person || !shared_.ready || !focus_.lasts(now_ns)) return;

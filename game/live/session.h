@@ -52,7 +52,7 @@ public:
 
     // The next functions serve the start screen.
     void open_start_screen(std::int64_t now_ns);
-    /// Runs after the events of one poll. Returns whether a match must start.
+    /// Call it after each poll of window and pads for events. Returns whether a match must start.
     bool step_start_screen(const Pads& pads, std::int64_t now_ns);
 
     // The next functions serve a match.
@@ -60,7 +60,7 @@ public:
     void take_seats(const Pads& pads);
     /// Begins a match, whose simulation thread may run already.
     void begin_match(const Pads& pads);
-    /// Runs after the events of one poll. `pads`: std::nullopt if needs_pads() is false.
+    /// Call it after each poll of window and pads for events. `pads`: std::nullopt if needs_pads() is false.
     void step_match(const std::optional<Pads>& pads, std::int64_t now_ns);
     /// Returns whether the menu has asked to begin the ended match again, and forgets that it has.
     bool take_restart() { return std::exchange(restarts_, false); }
@@ -138,7 +138,8 @@ private:
     std::vector<input::ProfileData> profile_{};  ///< gestures that the persons at the seats recorded
     /// trials of effects for the mixer's page; std::nullopt: nothing is felt on the body
     std::optional<BodyTrial> trial_{};
-    Insight insight_ = Insight::none;         ///< what the views show of the inside of the program
+    /// what F3 makes the views show besides the game: nothing, forces, or times of the pictures
+    Insight insight_ = Insight::none;
     std::optional<Screen> published_{};       ///< the newest published screen
     std::optional<std::int64_t> began_ns_{};  ///< time when the start screen first opened (ns)
 };

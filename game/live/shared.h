@@ -33,8 +33,9 @@ struct InputStamp {
 
 /// Everything the main thread wants shown besides the match itself.
 struct Screen {
-    HudSettings hud{};                         ///< settings of the views; `quality` below replaces theirs
-    std::optional<render::Quality> quality{};  ///< std::nullopt: chosen by device and measured times
+    HudSettings hud{};  ///< settings of the views; `quality` below replaces theirs
+    /// quality of pictures; std::nullopt: chosen by device and measured times
+    std::optional<render::Quality> quality{};
     MenuPicture menu{};
     bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
     double frames_per_second = 60;
@@ -53,7 +54,7 @@ public:
             values_[count_ % most] = value;
         ++count_;
     }
-    /// Quantile of the values: share 0.5 is the median. 0 if there are no values.
+    /// Quantile of the collected values: share 0.5 is the median. 0 if there are no values.
     double at(double share);
 
 private:
@@ -93,9 +94,9 @@ struct LiveShared {
     std::unique_ptr<LiveSound> sound;
     LiveTactile tactile;  ///< motors of the players' pads, and their jackets
     LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
-    /// filled by the simulation thread, and by the main thread while no simulation runs
+    /// pictures for the render thread, from the simulation thread or, while none runs, from the main thread
     TripleBuffer<Picture> pictures;
-    TripleBuffer<Screen> screen;  ///< filled by the main thread
+    TripleBuffer<Screen> screen;  ///< what is shown besides the match; filled by the main thread
     /// Data of the match that the pictures show; filled by the simulation thread.
     TripleBuffer<std::shared_ptr<const MatchData>> scene{nullptr};
     /// arrival of the first event that no tick has taken yet; 0: none
@@ -140,7 +141,7 @@ struct MatchStart {
     std::vector<input::ProfileData> profile{};  ///< the players' own gestures (game/match/own_gestures.h)
 };
 
-/// Whether a fault that a match begins with is still shown after these ticks of play.
+/// Whether a fault with which a match begins is still shown after `played` ticks of play.
 inline bool shows_fault(const std::string& fault, Tick played) {
     constexpr Tick shown_for = ticks(10.0);
     return !fault.empty() && played < shown_for;

@@ -22,10 +22,12 @@ namespace {
 constexpr Tick max_behind = 250;
 constexpr Tick publish_period = 4;  ///< period of published pictures in real time (ticks)
 // Periods for a pause and the time after the end, when little moves:
-constexpr Tick idle_wake = 8;  ///< ticks computed at each wake-up of the thread
-/// period of published pictures in that time; the render thread then shows each for twice as long (ticks)
+/// ticks computed at each wake-up of the thread in a pause and after the end of a match
+constexpr Tick idle_wake = 8;
+/// period of published pictures in a pause and after the end, when the render thread draws even fewer (ticks)
 constexpr Tick idle_publish_period = 32;
-/// delay after the end before a rematch counts, because players may still be shooting (ticks)
+/// time after the end of a match in which a wish for a rematch is ignored, because players may still be
+/// shooting (ticks)
 constexpr Tick rematch_not_before = 800;
 constexpr Tick demo_result_shown = ticks(8.0);  ///< time for which a demo shows a result (ticks)
 constexpr std::int64_t notice_ns = 3'000'000'000;
@@ -58,12 +60,13 @@ struct SimulationThread {
     std::int64_t start_ns = 0;  ///< deadline of the match's tick 0 (ns)
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
-    int countdown = 0;             ///< time to the start of the match (s); 0: it has begun
-    std::string fault{};           ///< words on a fault for the first seconds of the match
-    std::uint32_t next_press = 0;  ///< buttons that requests press in the next frame (bits of input::Button)
+    int countdown = 0;    ///< time to the start of the match (s); 0: it has begun
+    std::string fault{};  ///< words on a fault for the first seconds of the match
+    /// buttons that the main thread's requests press in the next input frame (bits of input::Button)
+    std::uint32_t next_press = 0;
 };
 
-/// Log of the match; null if the match is not recorded.
+/// Log of the match; null if the match is not logged, as on the range.
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
 /// Tests whether the match is paused or over.
 bool is_idle(const SimulationThread& s) { return s.shared.progress.state.load() != PlayState::playing; }
@@ -210,9 +213,9 @@ PlayState play_state_of(const Match& match) {
     return match.paused != 0 ? PlayState::paused : PlayState::playing;
 }
 
-/// Presses the pause button for the main thread, which asked for a pause or for its end. The button is
-/// pressed in every second input frame until the pause has begun or ended: only a press after a release
-/// counts, and a request may follow another one within a tick.
+/// Presses the pause button for the main thread, which has asked for a pause or for its end. The button is
+/// pressed in every second input frame until the pause has begun or ended. A release between two presses is
+/// needed because only then does a press count, and the main thread may ask again within a tick.
 void press_for_main(MatchRequests& requests, PlayState state, input::InputFrame& frame) {
     const auto press = [&](std::atomic<std::uint32_t>& request, PlayState unless) {
         const auto player = request.load();
@@ -287,7 +290,8 @@ void keep_pace_with_arms(SimulationThread& s, Tick behind) {
     s.start_ns += arm_pace_correction(static_cast<std::int64_t>(waiting), behind);
 }
 
-/// Hands the newest haptic models, from which an arm's thread computes its forces, to the arms.
+/// Hands the newest haptic models to the arms. From such a model an arm's thread computes its forces by
+/// itself.
 void give_orders(SimulationThread& s) {
     const auto& match = *s.round.match;
     each_held_arm(s.shared.arms, [&](LiveArm& arm, std::size_t) {
@@ -323,7 +327,7 @@ void tell_progress(SimulationThread& s) {
     if (s.shared.progress.state.exchange(state) != state) s.wake();
 }
 
-/// Number of a mark that was made within the last mark_shown ticks; 0: none.
+/// Number of a bookmark that was set in the log within the last mark_shown ticks; 0: none.
 std::uint32_t recent_mark(const Round& round) {
     return round.marks > 0 && round.match->now() < round.marked_at + mark_shown ? round.marks : 0;
 }

@@ -66,7 +66,7 @@ void LiveTactile::Socket::use(std::unique_ptr<input::TactileOutput> output) {
 }
 
 void LiveTactile::Socket::tell_status(std::size_t number) {
-    // A player who never had such an output has no state to print.
+    // A player who never had such an output (motors or a jacket) has no state to print.
     if (own != nullptr) told.tell(text("player ", number, ": "), *own);
 }
 

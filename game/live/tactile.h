@@ -55,8 +55,7 @@ public:
     void try_out(std::uint32_t player, const tactile::TactileFrame& frame);
     void try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
-    // Strength of each kind of effect (its fader) for a player's motors and jacket.
-    /// Faders of a player's motors and jacket.
+    /// Strengths (faders) of the kinds of effect, as a player has set them for motors and for the jacket.
     tactile::Faders faders(std::uint32_t player) const;
 
     // Called by the thread of a match, and by the main thread while it tries an effect.
@@ -79,9 +78,10 @@ public:
     void feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
 private:
-    /// Connection to an output that may be replaced, or be missing.
+    /// Connection to an output, motors of a pad or a jacket, that may be replaced or be missing.
     struct Socket {
-        /// plays frames on the output; made for the first output, and kept
+        /// plays frames (strengths of all motors) on the output; made for the first output, and kept for
+        /// later ones
         std::unique_ptr<input::TactilePlayer> own{};
         std::atomic<input::TactilePlayer*> player{};  ///< the object in `own`, for the thread of a match
         std::atomic<bool> plays{};                    ///< true: there is an output

@@ -35,8 +35,8 @@ void tell_menu(LiveWindow& window, const LiveMenu& menu) {
 
 bool closes(const render::Window& window) { return window.should_close() || EndWatch::asked(); }
 
-/// Moves player 1's mouse every 23.7 ms, for a session that measures itself. The period is no multiple of the
-/// pictures', so that events come at all times between two pictures.
+/// Moves player 1's mouse every 23.7 ms, for a session that measures its own timing. The period is no
+/// multiple of the pictures', so that events come at all times between two pictures.
 void probe(LiveSession& session, std::int64_t& next_ns) {
     constexpr std::int64_t period_ns = 23'700'000;
     const auto now = monotonic_ns();

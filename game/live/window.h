@@ -6,7 +6,7 @@
 
 namespace thaum::game::inline live {
 
-/// Window and pads of a session, with what the loops last set and found there.
+/// Window and pads of a session, and what the loops remember of them from one poll to the next.
 struct LiveWindow {
     render::Window& window;
     input::PadReader& pads;

@@ -19,8 +19,8 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// WandBelt for the new data: each wand keeps its energy, the selected wand stays selected, and added wands
-/// have full energy.
+/// WandBelt, the wizard's wands with their energy, for the new data: each wand keeps its energy, the selected
+/// wand stays selected, and added wands have full energy.
 WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt& old) {
     auto belt = full_belt(to);
     belt.fired = old.fired;

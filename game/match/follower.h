@@ -1,4 +1,4 @@
-// game/match/follower.h: for code that looks at a match every few ticks, to make sounds or effects from it.
+// game/match/follower.h: helps code that looks at a match every few ticks to make sounds or effects from it.
 #pragma once
 #include <cmath>
 
@@ -18,9 +18,9 @@ public:
     bool goes_on(const Simulation& match) const;
     /// Whether look() has been called before.
     bool has_begun() const { return begun_; }
-    /// Marks the end of a look: everything up to now has been read.
+    /// Notes that the caller has read the match up to its present tick.
     void look(const Simulation& match);
-    /// Skips the events up to now.
+    /// Lets each_event leave out the events up to now.
     void skip_events(const Simulation& match) { events_seen_ = match.events().count(); }
     /// Calls f(event) for each event since the last look.
     template <class F>
@@ -31,7 +31,7 @@ public:
 private:
     bool begun_ = false;
     Tick tick_{};
-    std::uint64_t events_seen_{};  ///< number of the next event
+    std::uint64_t events_seen_{};  ///< number of the first event that has not been read yet
 };
 
 /// Counts the steps of a walking wizard, by the distance walked.

@@ -35,7 +35,7 @@ vec3 workspace_of(const input::DeviceSpec& device) {
 
 static_assert(haptics::fluid_modes.size() == input::fluid_faders);
 
-/// Reduces the brew's effects to the shares that the player has chosen to feel.
+/// Reduces the brew's effects on the hand, such as drag, to the shares that the player has chosen to feel.
 void reduce_modes(const input::DeviceSpec& device, haptics::FluidModes& modes) {
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
         modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_reduction[i] / 100.0;
@@ -67,7 +67,8 @@ void apply(const MatchData& data, std::uint32_t player, const input::FaderChange
     }
 }
 
-/// The World's record of moved faders, created by the first move.
+/// The World's record of the faders (for strengths of forces) that players have moved. The first move creates
+/// it.
 MovedFaders& record_of(ecs::World& world) {
     ecs::Entity found;
     world.view<const MovedFaders>().each([&](ecs::Entity e, const MovedFaders&) { found = e; });
@@ -77,11 +78,12 @@ MovedFaders& record_of(ecs::World& world) {
     return world.get<MovedFaders>(world.create(none));
 }
 
-/// Ticks after a move of a fader until every system has computed its forces again.
+/// Ticks after a move of a fader (for the strength of forces) until every system has computed its forces
+/// again.
 constexpr std::uint8_t settling_ticks = gameplay_period + 1;
 
-/// While a fader's move takes effect, gives the steady force of the hand a new number in every tick. A new
-/// number makes the servo fade from the old to the new forces.
+/// While a fader's move takes effect, gives the steady force of the hand a new number in every tick. The new
+/// number makes the force fade from its old value to the new one.
 void announce_switches(ecs::World& world) {
     world.view<MovedFaders>().each([&](MovedFaders& moved) {
         for (std::uint32_t p = 0; p < players; ++p) {

@@ -1,5 +1,5 @@
 // game/match/haptic_setup.h: the haptic setup of a match (game/context/match_context.h) from its data and
-// devices, and its changes by faders that players move during the match.
+// devices, and its changes by faders (for the strengths of forces) that players move during the match.
 #pragma once
 #include <string>
 
@@ -12,7 +12,7 @@ namespace thaum::game::inline match {
 HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices);
 
 /// Applies the faders that were moved in this tick to the World and the setup. Samples of devices without
-/// faders move none. After each move the servo fades to the new forces, so no force jumps.
+/// faders move none. After each move the hand's force fades to its new value and does not jump.
 void move_faders(const MatchData& data, const std::vector<input::DeviceSpec>& devices,
                  const input::InputFrame& frame, ecs::World& world, HapticSetup& setup);
 

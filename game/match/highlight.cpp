@@ -4,7 +4,7 @@ namespace thaum::game::inline match {
 namespace {
 
 constexpr Tick opening = 2000;   ///< length of the opening, in which nothing interesting happens (ticks)
-constexpr double too_close = 3;  ///< minimum distance between the wizards (m)
+constexpr double too_close = 3;  ///< distance below which the wizards are too close for a good picture (m)
 /// cosine of the largest angle between a gaze and the other wizard
 constexpr double in_view = 0.95;
 

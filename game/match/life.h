@@ -6,7 +6,8 @@ namespace thaum::game::inline match {
 
 void add_life_systems(MatchContext& context, ecs::Schedule& schedule);
 
-/// The starting pad that is farthest from a position; the first one if two are equally far.
+/// The pad (place where wizards start) that is farthest from a position; the first one if two are equally
+/// far.
 Pad farthest_pad(const ecs::World& world, vec3 from);
 
 }  // namespace thaum::game::inline match

@@ -48,7 +48,8 @@ public:
     /// At the tick just played, the log's hash and the computed one if they differ. std::nullopt if they
     /// agree, or if the log has no hash for this tick.
     std::optional<Divergence> mismatch() const;
-    /// The first divergence found. After it, the replay no longer shows the recorded match.
+    /// The first difference from the recorded hashes that was found. After it, the replay no longer shows the
+    /// recorded match.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
     /// One line that says why equal hashes do not prove the replay: the log has no hashes, lacks one of every

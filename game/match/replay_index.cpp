@@ -54,7 +54,7 @@ void ReplayIndex::add_state(const Simulation& match) {
     }
 }
 
-/// Adds new kills to the index, and the first divergence.
+/// Adds new kills to the index, and the first difference between replay and record.
 void ReplayIndex::look(const Playback& playback, std::uint64_t& events_seen) {
     const auto now = playback.match().now();
     playback.match().events().each_new(events_seen, [&](const Event& event) {

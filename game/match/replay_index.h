@@ -49,7 +49,7 @@ public:
     /// jump is quick.
     bool covers(Tick target) const;
     std::vector<Kill> kills() const;
-    /// The first divergence found while filling the index.
+    /// The first difference between replay and record that was found while filling the index.
     std::optional<Divergence> divergence() const;
     /// Memory used by all stored states (bytes).
     std::size_t bytes() const;
@@ -86,7 +86,7 @@ private:
 /// that a stored state could not be restored.
 Expected<void> seek(Playback& playback, const ReplayIndex& index, Tick target, const std::atomic<bool>& stop);
 
-/// The earlier one of two divergences.
+/// The earlier one of two differences between replay and record.
 std::optional<Divergence> earlier(const std::optional<Divergence>& a, const std::optional<Divergence>& b);
 
 }  // namespace thaum::game::inline match

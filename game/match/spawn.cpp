@@ -11,7 +11,7 @@ ecs::Entity spawn_thing(ecs::World& world, const Thing& thing) {
     Motion motion;
     motion.position = thing.position;
     const Look look{thing.surface};
-    // Body must be added last, because its hook reads Motion.
+    // Body must be added last: adding it calls a hook that reads Motion.
     const auto e = thing.prop ? world.create(motion, look, Prop{}) : world.create(motion, look);
     world.add(e, thing.body);
     return e;

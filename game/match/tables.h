@@ -67,9 +67,11 @@ void append_state(const Simulation& match, std::string& out);
 ///     pN_fx_n ...        commanded force; the sum of F dx over the rows is the work on the hand
 ///     pN_cause           why less force was commanded than requested: none, capped, warm, waiting, stale,
 ///                        over_speed, off, shut_off, panic
-///     pN_created_j, pN_given_j   energy created by passive, work of active sources (haptics/energy.h)
+///     pN_created_j, pN_given_j   energy that passive sources of force, such as springs and drag, created,
+///                        and work of active ones, such as recoil (haptics/energy.h)
 ///     pN_px_n ...        part of the force by passive sources
-///     pN_k_n_per_m, pN_ax_m ...   stiffness and anchor of the tether after the tick; stiffness 0: no tether
+///     pN_k_n_per_m, pN_ax_m ...   stiffness of the tether (a spring to the hand) after the tick, 0 without
+///                        one, and position of its anchor, the place to which it pulls the hand
 ///     pN_touches, pN_sx_m ...     1 or 0: contact with a surface, and the contact point of this tick's force
 ///     pN_arm             1 for a real arm
 std::string forces_header();

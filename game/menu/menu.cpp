@@ -20,9 +20,9 @@ namespace {
 
 // Rows ------------------------------------------------------------------------------------------------------
 
-/// Whether a press only lets its device join, and does not act on the chosen row. That is so if the device
-/// has no seat yet and another device chose the row, or none did. A row for one player needs no second press:
-/// it acts at once if nobody has joined.
+/// Whether a press only gives its device a seat (a place in the match), and does not act on the chosen row.
+/// That is so if the device has no seat yet and another device chose the row, or none did. A row for one
+/// player needs no second press: it acts at once if nobody has a seat.
 bool only_joins(const MenuState& s, const Row& row, const MenuEvent& event) {
     return shown_page(s).seats && !event.row && s.chooser != event.device && joined(s) < players &&
            !seat_of(s, event.device) && !starts_at_once(s, row);

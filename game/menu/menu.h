@@ -26,8 +26,9 @@ struct Device {
 namespace page_name {
 inline constexpr std::string_view start = "start";
 inline constexpr std::string_view pause = "pause";
-inline constexpr std::string_view pad_setup = "pad_setup";  ///< asks for the controls of a joystick
-inline constexpr std::string_view mixer = "mixer";          ///< strengths of all that one player feels
+inline constexpr std::string_view pad_setup = "pad_setup";  ///< page that asks for the controls of a joystick
+inline constexpr std::string_view mixer = "mixer";          ///< page with the strengths of all that one
+                                                            ///< player feels
 }  // namespace page_name
 
 struct MenuEvent {
@@ -39,18 +40,18 @@ struct MenuEvent {
         left,
         right,
         confirm,
-        other,  ///< a press without another meaning in menus: lets its device join, or starts the match
+        other,  ///< a press of any other control: lets its device join, or starts the match
         back,
-        point,      ///< the mouse points at a row
-        control,    ///< any control, while the menu waits for one
+        point,      ///< the mouse points at a row of the menu
+        control,    ///< any control was pressed, while the menu waits for one to bind
         gone,       ///< the device was unplugged
-        character,  ///< a typed character, while a name is typed
-        erase,      ///< takes the last typed character away
+        character,  ///< a character was typed, while the menu asks for a name
+        erase,      ///< the key that deletes the last typed character
     };
     Kind kind{};
     Device device{};
     std::optional<std::size_t>
-        row{};  ///< row of confirm, left, right and point; std::nullopt: the chosen row
+        row{};  ///< the row that confirm, left, right and point are about; std::nullopt: the chosen row
     input::Control control{};
     char32_t typed{};  ///< the typed character, for Kind::character
 };
@@ -70,7 +71,7 @@ struct MenuContext {
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, players> arms{};
-    bool practice = false;     ///< true: the pause belongs to the range
+    bool practice = false;     ///< true: the pause belongs to the practice range
     bool apprentice = false;   ///< true: the pause belongs to the lessons on the range (the Apprentice)
     bool first_start = false;  ///< true: the start screen offers the lessons on the range first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
@@ -81,8 +82,10 @@ struct MenuContext {
         jackets{};                        ///< state of each player's jacket; empty: the player has none
     std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
-    std::vector<FeelProfile> profiles{};  ///< profiles that players have saved on the mixer's page
-    /// Kinds of effect on the body that exist, such as blasts; each gets a fader on the mixer's page.
+    std::vector<FeelProfile> profiles{};  ///< profiles (sets of strengths) that players have saved on the
+                                          ///< mixer's page
+    /// Kinds of effect on the body that exist, such as blasts; each gets a setting of its strength (fader) on
+    /// the mixer's page.
     std::vector<tactile::Purpose> body{};
     std::vector<std::string>
         sticks{};  ///< names of joysticks that are no pads, because SDL does not know them
@@ -101,7 +104,7 @@ enum class MenuRequest : std::uint8_t {
     apprentice,
     go_on,
     take_half,
-    ask_match,  ///< passes MenuState::match_request on to the running match
+    ask_match,  ///< passes the request in MenuState::match_request on to the running match
     forget_gesture,
     set_up_pad,
     skip_control,
@@ -124,18 +127,19 @@ struct MenuState {
     struct Open {
         std::string_view page{};  ///< name of a registered page
         std::size_t cursor = 0;
-        std::size_t middle = 0;  ///< row in the middle of a scrolled page; the mouse moves `cursor` only
+        std::size_t middle = 0;  ///< row that is kept in the middle of a page too long for the screen; the
+                                 ///< mouse moves only `cursor`, so that the page does not scroll under it
     };
-    std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
+    std::vector<Open> pages;  ///< open pages of the menu, the shown page last; empty: the menu is closed
     std::array<std::optional<Device>, players> seats;
     /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since
     /// such a choice is often made again.
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
-    std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
+    std::size_t level = 0, rules = 0, arena = 0;  ///< chosen entries: indices into lists of MenuContext
     std::size_t dummy = 0;                        ///< kind of the range's practice dummy (DummyKind)
     RangeChanges range{};                         ///< changes of the range's rules, such as endless energy
-    std::size_t gesture = 0;                      ///< index into MenuContext::gestures
+    std::size_t gesture = 0;                      ///< chosen gesture, an index into MenuContext::gestures
     /// index of the sheet (the bindings of one kind of device, or of the session) on the bindings page
     std::size_t sheet = 0;
     /// Joystick that is set up, or pad that is forgotten: index into
@@ -145,13 +149,14 @@ struct MenuState {
     std::optional<Slot> waiting;        ///< binding that waits for a new control; std::nullopt: none
     std::size_t profile = 0;            ///< index of the chosen profile in MenuContext::profiles
     std::optional<std::string> typing;  ///< words that are being typed; std::nullopt: none
-    Typing typed{};                     ///< kind of text in `typing`
+    Typing typed{};                     ///< what is typed: the name of a player or of a profile
     Settings settings;
-    std::optional<Settings> undo;        ///< settings before the last change of bindings
+    std::optional<Settings> undo;        ///< settings before the last change of bindings, to undo it
     std::string head, line;              ///< title and reason of the pause: who paused, and why
-    std::string note;                    ///< result of the last event, or the reason why it had none
-    MenuRequest request{};               ///< request of the last event to the caller
-    std::optional<FeelProfile> saves{};  ///< profile that the last event asks the caller to save
+    std::string note;                    ///< result of the last event, or why it had none, in words
+    MenuRequest request{};               ///< what the last event asks the menu's caller to do
+    std::optional<FeelProfile> saves{};  ///< profile (set of strengths) that the last event asks the caller
+                                         ///< to save
     MatchRequest match_request{};  ///< request that MenuRequest::ask_match passes on to the running match
     std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
 };
@@ -165,7 +170,7 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuContext& conte
 /// `pause`, because Esc may be the wanted key.
 bool esc_ends_waiting(const MenuState& state);
 
-/// Note that says why the pause cannot end.
+/// Note for the players that says why the pause cannot end.
 std::string words_of_refusal(const MenuContext& context);
 
 /// What is to be drawn of the menu.

@@ -1,4 +1,5 @@
-// Pictures of the menu: titles, seats, rows and help. The words of a page stand in its own file.
+// Pictures of the menu: titles, seats (which device has joined as which player), rows and help. The words of
+// a page stand in its own file.
 #include <algorithm>
 
 #include "core/text.h"

@@ -45,8 +45,8 @@ Rows rows_of(const MenuState& s, const MenuContext& context) {
 
 namespace {
 
-/// Whether two rows stand for the same choice. A row about a joystick is compared by the joystick's name, not
-/// by its number, which may change.
+/// Whether two rows, of different contexts, stand for the same choice. A row about a joystick is compared by
+/// the joystick's name, not by its number, which may change.
 bool is_same(const Row& a, const Row& b) {
     return a.confirm == b.confirm && a.turn == b.turn && a.opens == b.opens && a.stick == b.stick &&
            (!a.stick.empty() || a.index == b.index);

@@ -25,8 +25,8 @@ struct Row {
     void (*confirm)(const RowPress&) = nullptr;
     /// Acts on left (-1) and right (1); null: the row has no value to turn.
     void (*turn)(const RowPress&, int way) = nullptr;
-    /// index of the setting, action, sheet of bindings, joystick, fader or tactile::Purpose that the row is
-    /// about
+    /// index of what the row is about: a setting, an action, a sheet of bindings, a joystick, a fader or a
+    /// tactile::Purpose
     std::size_t index = 0;
     std::string_view opens{};  ///< name of the page that a press opens; empty: none
     /// name of the joystick that the row is about, since its index may change; empty: none
@@ -54,9 +54,9 @@ struct Page {
     /// Acts on Esc, B and the right button; null: the menu returns to the page
     /// before, as the last row "Back" does.
     void (*leave)(MenuState&, const Device&, const Rows&) = nullptr;
-    /// Acts on a press without a meaning in menus; null: nothing happens.
+    /// Acts on a press of a control that has no meaning in menus; null: nothing happens.
     void (*other)(MenuState&, const MenuContext&, const Device&) = nullptr;
-    bool seats = false;    ///< true: players take seats on the page, which shows the seats
+    bool seats = false;    ///< true: players take seats (places in the match) on the page, which shows them
     bool back_row = true;  ///< true: the last row is "Back"
 };
 
@@ -78,11 +78,11 @@ void open_page(MenuState& state, std::string_view page);
 Row link_to(std::string_view page, std::string label, std::string help);
 /// A row that opens a page about one player: the player whose device opens it.
 Row link_for_player(std::string_view page, std::string label, std::string help);
-/// The rows "Controls" and "Settings".
+/// Adds the rows "Controls" and "Settings", which open the pages of these names.
 void add_page_rows(Rows& rows);
 /// A row that chooses the player whose values the page shows.
 Row whose_row(const MenuState& state, std::string label);
-/// All settings of the game, or of the page's player, that belong to a page.
+/// Adds rows for all settings that belong to a page: those of the game, or of the page's player.
 void add_settings(const MenuState& state, SettingPage page, Rows& rows);
 void add_player_settings(const MenuState& state, SettingPage page, Rows& rows);
 /// Sets the settings of the game that belong to a page to their defaults. Returns words for them, as
@@ -116,9 +116,9 @@ std::string pad_fault(const MenuContext& context);
 
 /// Number of players who have joined.
 std::size_t joined(const MenuState& state);
-/// Seat of a device; std::nullopt: it has not joined.
+/// Seat of a device, which is the number of its player in the match; std::nullopt: it has not joined.
 std::optional<std::size_t> seat_of(const MenuState& state, const Device& device);
-/// Gives a device the first free seat.
+/// Lets a device join the match: gives it the first seat (player number) that is free.
 void join(MenuState& state, const Device& device);
 /// Whether a press on the row starts the range, or the lessons there (the Apprentice), for the player who
 /// presses, because nobody has joined.

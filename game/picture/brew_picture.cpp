@@ -14,7 +14,8 @@
 namespace thaum::game::inline picture {
 namespace {
 
-/// Time to boiling over from which on a brew counts as one that never boils over, as on the range.
+/// Time to boiling over (ticks) from which on a brew counts as one that never boils over, as on the practice
+/// range.
 constexpr Tick never_spoils = ticks(3600.0);
 
 /// Numbers of brew states (BrewPicture::state). The number of a moving brew is the match's clock plus an
@@ -23,7 +24,7 @@ constexpr std::uint64_t untouched = 1, at_rest = std::uint64_t{1} << 48U;
 
 void assign(std::span<const float> from, fluid::Samples& to) { to.assign(from.begin(), from.end()); }
 
-/// Copies the fluid state from the World, since the solver may be one step ahead.
+/// Copies the fluid state from the World and not from the solver, which may be one step ahead of the match.
 void take_state(const Simulation& match, const BrewWork& work, const Cauldron& cauldron, BrewPicture& out) {
     const auto& fluid = work.brew.fluid;
     const auto samples = [&](std::size_t array) {
@@ -46,7 +47,7 @@ void take_state(const Simulation& match, const BrewWork& work, const Cauldron& c
     out.surface = work.brew.surface;
 }
 
-/// Fills in a brew that no player has touched yet, for which no solver memory exists.
+/// Fills in a brew that no player has touched yet. It is at rest and pure, and no fluid has been made for it.
 void take_still(const MatchData& data, BrewPicture& out) {
     const auto& rules = *data.cauldron;
     const auto basin = basin_of(data.arena.bowl->size, rules.filled);
@@ -73,7 +74,7 @@ void take_brew_of(const Simulation& match, const Cauldron& cauldron, BrewPicture
 }
 
 void take_ladles(const Simulation& match, CauldronPicture& out) {
-    constexpr vec3 hand{0.25, -0.35, -0.4};  // position of the hand (m, eye frame)
+    constexpr vec3 hand{0.25, -0.35, -0.4};  // position of the hand on the ladle (m, eye frame)
     out.ladles.fill(std::nullopt);
     match.world().view<const Wizard, const Ladle, const AtStation, const Motion, const HandState>().each(
         [&](const Wizard& wizard, const Ladle& ladle, const AtStation& station, const Motion& motion,
@@ -90,7 +91,7 @@ void take_mixed(const Simulation& match, const Cauldron& cauldron, CauldronPictu
     const auto newest = std::find_if(out.brew.densities.rbegin(), out.brew.densities.rend(),
                                      [](const fluid::Samples& one) { return !one.empty(); });
     const bool some = match.brew() != nullptr && newest != out.brew.densities.rend();
-    // The fluid has had no step since `mixed` was computed, so the value still holds.
+    // The fluid has had no step since the share `mixed` was computed from it, so the share is still right.
     if (some && out.mixed > 0 && out.mixed_at == cauldron.stepped) return;
     out.mixed = some ? fluid::filled_share(match.brew()->brew.fluid, *newest) : 0;
     out.mixed_at = cauldron.stepped;

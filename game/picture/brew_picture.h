@@ -24,7 +24,7 @@ struct BrewColours {
 
 /// One moment of a brew as plain data. Copying a brew into the same object again allocates nothing.
 struct BrewPicture {
-    std::uint64_t state{};  ///< number of the brew's state, which changes with the contents; 0: empty
+    std::uint64_t state{};  ///< number of the brew's state: any change of the contents changes it; 0: empty
     fluid::Lattice lattice{};
     std::array<fluid::Samples, 3> velocity{};  ///< components of the flow's velocity (m/s)
     /// Place at which each velocity component of cell (0, 0, 0) is sampled, in cells. The places differ,
@@ -62,15 +62,15 @@ struct CauldronPicture {
     double spoils_in_s{};  ///< time until the brew boils over (s); 0: no ingredient yet
     /// Time from the first ingredient to boiling over (s); 0: the brew never boils over.
     double whole_time_s{};
-    double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
+    double fresh{};       ///< time left until the brew boils over, as a share of the whole time, 0 to 1
     double well_mixed{};  ///< value of `mixed` from which the owner is rewarded by healing
     /// Time until the owner gains the boon, a healing for a brew that stays well mixed (s); 0: the brew is
     /// not well mixed, or has already given its boon.
     double boon_in_s{};
-    bool boon_open{};  ///< true: the brew can still heal its owner
+    bool boon_open{};  ///< true: the brew has not healed its owner yet, and still can
     /// player whom a well-mixed brew heals now (the boon); no_player: none
     std::uint32_t boon_for{no_player};
-    Tick mixed_at{};        ///< fluid step for which `mixed` was computed (ticks of play)
+    Tick mixed_at{};        ///< time of the fluid state from which `mixed` was computed (ticks of play)
     bool slows{}, lifts{};  ///< whether the brew slows wizards near it, and whether it lifts them
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);

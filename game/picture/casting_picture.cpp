@@ -117,7 +117,7 @@ void take_slip(const Simulation& match, std::uint32_t player, CastingPicture& ou
     if (out.slip_age_s <= reading_seconds) out.slip = slip_of(*match.data().casting, ended.stroke);
 }
 
-/// Copies how a spell that was cast earlier has ended.
+/// Copies how the effect of a spell that was cast earlier has ended, such as a recalled thing that fell.
 void take_outcome(const Simulation& match, std::uint32_t player, CastingPicture& out) {
     out.outcome.clear();
     out.outcome_age_s = 1e6;
@@ -128,7 +128,8 @@ void take_outcome(const Simulation& match, std::uint32_t player, CastingPicture&
     if (out.outcome_age_s <= reading_seconds) out.outcome = ended.outcome;
 }
 
-/// Copies the path of a hand that may cast without a button, and the gesture that last almost cast a spell.
+/// Copies the path of a hand that may cast spells without a button, and the gesture that last almost cast
+/// one.
 void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
     constexpr std::uint32_t shown = 125;  // number of newest points that are shown: those of one second
     out.count = 0;

@@ -39,22 +39,22 @@ struct StrokePicture {
     bool curve{};            ///< true: the hand draws a curve at the orb, which is no stroke of a spell
     bool read{};             ///< true: the finished stroke was recognised as a gesture
     double since_end_s{};    ///< time since the end of a finished stroke (s)
-    double force_now{};      ///< force at the newest point (N)
+    double force_now{};      ///< force of the stroke at its newest point (N)
     double force_mean{};     ///< mean force along the stroke, which decides between gentle and harsh (N)
     /// true: a key chord (a wand's key while Trace is held) has replaced the stroke, and the forces are those
     /// of the chord (N)
     bool chord{};
-    /// The points on the brew, for a stroke of the ladle only (m, world).
+    /// The points of the stroke on the surface of the brew, for a stroke of the ladle only (m, world).
     std::array<fvec3, max_points> places{};
 };
 
-/// Result of a stroke.
+/// What came of a stroke.
 enum class StrokeOutcome : std::uint8_t {
-    none,       ///< the stroke was recognised but casts nothing, as a stroke on the brew
+    none,       ///< the stroke was recognised but casts no spell, such as a stroke on the brew
     cast,       ///< a spell was cast
     unread,     ///< the stroke is no gesture, or its gesture has no spell
     unfocused,  ///< the wizard had too little focus, the supply that spells cost
-    fizzled     ///< the spell has nothing to act on
+    fizzled     ///< the spell had nothing to act on
 };
 
 /// What the last stroke of a wizard was recognised as, and what came of it.
@@ -66,14 +66,14 @@ struct ReadingPicture {
     /// Probability that the recognised gesture was meant, mean force of the stroke (N), and number of turns
     /// of a closed stroke.
     double probability{}, force{}, turns{};
-    /// Wand slot of the key chord (a wand's key while the button Trace is held) that replaced the stroke;
-    /// std::nullopt: a stroke was read.
+    /// Number of the wand's key in the key chord (a wand's key while the button Trace is held) that replaced
+    /// the stroke; std::nullopt: a stroke was read.
     std::optional<std::uint32_t> chord{};
-    Event event{};          ///< event that reports the outcome; unused for StrokeOutcome::none
+    Event event{};          ///< event that reports what came of the stroke; unused for StrokeOutcome::none
     std::string refusal{};  ///< why the spell had nothing to act on; empty: unknown
 };
 
-/// The hand of a wizard who casts without a button.
+/// The hand of a wizard who casts spells without a button.
 struct FreePicture {
     static constexpr std::size_t max_points = 64;
     /// Path of the hand in the last second: points at even intervals, the newest last; only the first `count`
@@ -85,21 +85,22 @@ struct FreePicture {
 };
 
 struct CastingPicture {
-    bool there{};  ///< true: the match has spells
+    bool there{};  ///< true: the match has spells, so there is something to show
     double focus{}, focus_cap{};
     double ward{};              ///< harm that the shield can still absorb (HP); 0: no shield
     double ward_share{};        ///< remaining strength of the shield as a share of its initial value, 0 to 1
     double since_flash_s{1e6};  ///< time since the shield began to flash because it absorbed harm (s)
     std::optional<vec3> recalled{};  ///< position of the thing that flies to the wizard (m, world)
     StrokePicture stroke;
-    Slip slip{};             ///< why the last stroke was not read, if it was not
+    Slip slip{};             ///< why the last stroke was not read, such as its size, if it was not read
     double slip_age_s{1e6};  ///< time since the end of the last stroke, read or not (s)
     ReadingPicture reading;
     /// How the effect of a spell has ended after its cast, in words; empty: nothing to show.
     std::string outcome{};
     double outcome_age_s{1e6};  ///< time since the effect of the spell has ended (s)
     FreePicture free;
-    std::shared_ptr<const GestureSet> gestures;  ///< the wizard's own gestures, or those of the match
+    std::shared_ptr<const GestureSet> gestures;  ///< gestures of the wizard: the player's own, or those of
+                                                 ///< the match
     const SpellStats* first_spell{};  ///< the spell with the lowest wand key; null if the match has no spells
     /// rules of strokes and spells in the match's data; null if the match has no spells
     const CastingRules* rules{};

@@ -11,7 +11,7 @@ namespace thaum::game::inline picture {
 
 /// A gesture on the wall, with a pale example of its stroke (the ghost).
 struct WallGesture {
-    std::string name;   ///< display name: "Circle"
+    std::string name;   ///< name of the gesture as shown: "Circle"
     std::string spell;  ///< name of the spell that the gesture casts; empty: none
     std::vector<gesture::StrokePoint> ghost;
     bool own = false;  ///< true: the player has recorded this gesture; false: it is a shipped one

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double feed_seconds = 5;
 constexpr double long_ago = 1e6;
-/// Upper bound on the speed of anything that moves by itself (m/s).
+/// Upper bound on the speed of anything that moves by itself (m/s). What was faster between two pictures has
+/// been put elsewhere.
 constexpr double fastest = 60;
 
 /// Age of an event (s). The time of an event is in ticks of play.
@@ -113,7 +114,8 @@ void take_held(const Simulation& match, ecs::Entity wizard, const LoadedWand* wa
     out.wand.holds_thing = out.wand.held && wand->rules->grasp();
 }
 
-/// Fills in the target: the thing that the wand would take hold of, or the foe for a wand that shoots.
+/// Fills in the target, which the crosshair marks: the thing that the wand would take hold of, or the foe for
+/// a wand that shoots.
 void take_target(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, PlayerPicture& out) {
     constexpr double foe_reach = 60;  // distance up to which a foe under the crosshair is marked (m)
     if (wand == nullptr || out.stations.works()) return;
@@ -211,7 +213,7 @@ void take_fogs(const Simulation& match, Picture& out) {
     });
 }
 
-/// Copies the wizard's work at cauldron, orb and crystals, and with spells.
+/// Copies the wizard's work at cauldron, orb and crystals, and the strokes and spells.
 void take_magic(const Simulation& match, ecs::Entity wizard, std::uint32_t player, const Motion& motion,
                 const Health& health, PlayerPicture& out) {
     take_brewing(match, wizard, motion, out);
@@ -441,7 +443,8 @@ void interpolate(const Picture& from, const Picture& to, double alpha, Picture& 
     const double dt = seconds(to.tick - from.tick);
     for (std::size_t i = 0; i < out.things.size(); ++i) {
         auto& thing = out.things[i];
-        // Both lists of things have the same order, except for added or removed things.
+        // Both lists of things have the same order, so the thing usually has the same index, unless one came
+        // or went.
         const auto same = [&](const ThingPicture& t) { return t.entity == thing.entity; };
         const auto found = i < from.things.size() && same(from.things[i])
                                ? from.things.begin() + static_cast<std::ptrdiff_t>(i)

@@ -25,8 +25,9 @@ namespace thaum::game::inline picture {
 struct ShapeKey {
     Surface surface{};
     physics::Shape shape{};
-    std::uint32_t mesh{};  ///< index in Arena::meshes, for Shape::mesh
-    vec3 size{};           ///< size of the body, in the form of physics::BodyDesc::size
+    std::uint32_t mesh{};  ///< for Shape::mesh, index of the mesh in Arena::meshes
+    vec3 size{};           ///< size of the body, with the meaning that its shape gives it
+                           ///< (physics::BodyDesc::size)
     bool operator==(const ShapeKey&) const = default;
 };
 
@@ -45,17 +46,17 @@ struct MissilePicture {
     vec3 position{};
     vec3 velocity{};
     std::uint32_t wand{};  ///< index of the missile's wand in Presentation::wands
-    double size{};         ///< factor on the drawn size of the missile; 0: drawn as its mesh is
+    double size{};         ///< factor on the drawn size of the missile; 0: drawn at the size of its mesh
 };
 
-/// Time for which a burst is shown (s).
+/// Time for which a burst, the explosion of a missile, is shown (s).
 inline constexpr double burst_seconds = 0.4;
 
 struct BurstPicture {
     double age_s{};
     std::uint32_t player{};  ///< player who fired the shot
     vec3 place{};
-    double radius{};  ///< final radius of the burst (m)
+    double radius{};  ///< final radius of the explosion (m)
 };
 
 /// Time for which the dust of a push spell is shown (s).
@@ -63,7 +64,7 @@ inline constexpr double push_seconds = 0.5;
 /// Time for which a cast spell stays in the picture (s).
 inline constexpr double cast_seconds = 1;
 
-/// A spell that was cast a moment ago.
+/// A spell that was cast a moment ago, for its effects on the screen.
 struct CastShown {
     double age_s{};
     std::uint32_t player{};
@@ -82,7 +83,7 @@ struct FogPicture {
 
 /// A niche, the place of an ingredient. It holds the ingredient or is empty until the ingredient returns.
 struct NichePicture {
-    vec3 position{};  ///< position on the ground (m, world)
+    vec3 position{};  ///< position of the niche on the ground (m, world)
     fvec3 colour{};   ///< colour of the ingredient, linear light
     IngredientShape shape{};
     bool there{};
@@ -90,7 +91,7 @@ struct NichePicture {
 
 struct PowerUpPicture {
     PowerUpKind kind{};
-    vec3 position{};    ///< position on the ground (m, world)
+    vec3 position{};    ///< position of the power-up on the ground (m, world)
     double returned{};  ///< 1: the power-up is present; below 1: elapsed share of its absence
 };
 
@@ -110,7 +111,8 @@ struct FeedLine {
     std::string_view thing{};  ///< the thing that caused the event, such as "barrel"; empty: none
 };
 
-/// The display of the practice range, instead of score and clock. The session fills it in.
+/// The display of the practice range, instead of score and clock. The session that plays the match fills it
+/// in.
 struct PracticePicture {
     bool on = false;
     std::string score;  ///< text of the score, ready for display
@@ -120,15 +122,16 @@ struct PracticePicture {
     GestureWallPicture wall{};
 };
 
-/// One line of text for the players. The session fills it in.
+/// One line of text for the players. The session that plays the match fills it in.
 struct Caption {
     std::string words;
     bool fault = false;
 };
 
 struct Picture {
-    Tick tick{};            ///< time of the picture, Simulation::now (ticks)
-    std::int64_t due_ns{};  ///< wall-clock time of `tick` (ns); filled in by the session
+    Tick tick{};            ///< time of the picture: ticks since the start of the match, pauses included
+                            ///< (Simulation::now)
+    std::int64_t due_ns{};  ///< wall-clock time of `tick` (ns); filled in by the session that plays the match
     std::vector<ThingPicture> things;
     std::vector<MissilePicture> missiles;
     std::vector<PowerUpPicture> power_ups;
@@ -145,7 +148,7 @@ struct Picture {
     double played_s{}, left_s{};
     Phase phase{};
     Ending ending{};
-    std::uint32_t winner{no_player};  ///< winner of the round that has ended
+    std::uint32_t winner{no_player};  ///< player who has won the round that has ended
     /// player who has won the match by more rounds; no_player: nobody
     std::uint32_t match_winner{no_player};
     std::uint32_t round{}, rounds{};  ///< index of the round, from 0, and maximum number of rounds of a match
@@ -163,8 +166,10 @@ struct Picture {
     std::array<CastShown, 4> casts{};
     std::vector<FogPicture> fogs;
     std::uint32_t skipped{};  ///< number of device samples skipped so far, because the simulation was late
-    int countdown{};       ///< seconds to the start of the match; 0: it has begun; filled in by the session
-    std::uint32_t mark{};  ///< number of a mark that was set just now; 0: none; filled in by the session
+    int countdown{};       ///< seconds to the start of the match; 0: it has begun; the session that plays the
+                           ///< match fills it in
+    std::uint32_t mark{};  ///< number of a mark (bookmark in the log) that was set just now; 0: none; filled
+                           ///< in by the session
     /// true: device samples were skipped just now, because the simulation was late; filled in by the session
     bool overloaded{};
     PracticePicture practice{};

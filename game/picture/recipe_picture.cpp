@@ -21,8 +21,8 @@ double area_of(std::span<const gesture::StrokePoint> points) {
     return sum / 2;
 }
 
-/// Copies the first template of a gesture into the picture, in the direction of rotation that the recipe asks
-/// for.
+/// Copies the first example stroke of a gesture into the picture, in the direction of rotation that the
+/// recipe asks for.
 void take_ghost(const gesture::Gesture& gesture, CircleSense sense, double scale, RecipePicture& out) {
     if (gesture.strokes.empty() || gesture.strokes.front().size() < 2) return;
     const std::span points(gesture.strokes.front());
@@ -79,9 +79,9 @@ struct Brewer {
     ecs::Entity wizard;
 };
 
-/// Copies the names of all open recipes except one, with their ingredients from the step `before` on. A
-/// recipe with a secret order is listed only at the beginning: later its name would reveal that the
-/// ingredients so far are right.
+/// Copies the names of all recipes that can still be made (`open`) except one, with their ingredients from
+/// the step `before` on. A recipe with a secret order is listed only at the beginning: later its name would
+/// reveal that the ingredients so far are right.
 void take_choices(const Simulation& match, const Brewer& brewer, const RecipeList& open, const Recipe* but,
                   std::size_t before, RecipePicture& out) {
     for (std::size_t i = 0; i < open.count; ++i) {

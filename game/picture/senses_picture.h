@@ -32,7 +32,7 @@ inline constexpr std::size_t force_column = 16;
 /// every other hand holds.
 struct ForcePicture {
     ArmCondition arm{};            ///< condition of a real force-feedback arm
-    haptics::SafetyCause cause{};  ///< reason for a reduced force
+    haptics::SafetyCause cause{};  ///< why the force on the hand is reduced at present
     double cap{};                  ///< largest force that the hand may get at present (N)
     vec3 current{};                ///< present force (N, device frame, drawn in the eye frame)
     std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
@@ -58,8 +58,10 @@ struct SensesPicture {
     std::uint32_t
         heard_lines{};  ///< number of entries in `heard`, the oldest first; the session fills them in
     std::array<HeardLine, 8> heard{};
-    std::array<float, figure_cells> felt{};  ///< strength in each cell, 0 to 1; the session fills it in
-    double since_felt_s{1e6};                ///< time since a cell of `felt` was last on (s)
+    std::array<float, figure_cells> felt{};  ///< strength of what is felt in each cell of the figure, 0 to 1;
+                                             ///< the session fills it in
+    double since_felt_s{1e6};                ///< time since anything was last felt in a cell of the figure
+                                             ///< (s)
     std::uint32_t hurts{};                   ///< number of entries in `marks`
     std::array<HurtMark, 6> marks{};
 };

@@ -81,7 +81,7 @@ vec3 within_glass(const Orb& orb, vec3 place) {
     return length > most ? orb.middle + most / length * off : place;
 }
 
-/// Display names of modes, instead of the names in files.
+/// Display names of the orb's haptic modes (ways to feel the flow), instead of the names in files.
 std::string_view shown_mode(std::string_view name) { return name == "vortex_tube" ? "vortex tube" : name; }
 
 double force_share(const Simulation& match, std::uint32_t player, vec3 force) {
@@ -90,8 +90,8 @@ double force_share(const Simulation& match, std::uint32_t player, vec3 force) {
     return cap > 0 ? glm::length(force) / cap : 0;
 }
 
-/// Copies a curve as the player sees it on the drawing plane: 0 is the mode's lowest strength, and 1 the
-/// highest one.
+/// Copies the strength curve of a haptic mode as the player sees it on the plane where it is drawn: 0 is the
+/// mode's lowest strength, and 1 the highest one.
 void take_curve(const OrbRules& rules, const OrbMode& mode, const field::TransferFunction& strength,
                 std::array<float, curve_points>& out) {
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -123,7 +123,7 @@ void take_modes(const Simulation& match, const WornModes& modes, ScryingPicture&
         take_curve(rules, rules.modes[out.newest], modes.strength.at(out.newest), out.curve);
 }
 
-/// Voxels of one crystal in the World's blobs, as views.
+/// Voxels of one crystal, as views of the World's arrays (blobs).
 struct VoxelBlobs {
     std::span<const float> density;
     std::span<const std::uint8_t> colour;

@@ -37,14 +37,14 @@ struct OrbPicture {
     bool there{};
     vec3 middle{};  ///< middle of the orb (m, world)
     double radius{};
-    std::uint64_t seed{};  ///< seed of the flow (field::make_vortex_flow)
+    std::uint64_t seed{};  ///< seed from which the orb's flow is made (field::make_vortex_flow)
     std::array<std::optional<TipPicture>, players> probes{};
     /// for each player, true if that player was shown the hidden core, the axis of the strongest vortex
     std::array<bool, players> found{};
 };
 
-/// Number of points at which a strength curve (the strength of a haptic mode over the property that it reads)
-/// is plotted.
+/// Number of points at which a strength curve is plotted: the strength of a haptic mode, a way to feel the
+/// flow, as a function of the property of the flow that the mode reads.
 inline constexpr std::size_t curve_points = 33;
 
 /// State of a wizard at the orb, for the panel with help that the view shows there (the card).
@@ -56,11 +56,13 @@ struct ScryingPicture {
     /// Names of all haptic modes (ways in which the flow can be felt), by the key that chooses them; empty:
     /// none.
     std::array<std::string_view, max_orb_modes> modes{};
-    std::array<bool, max_orb_modes> worn{};  ///< for each mode, true if it is switched on
-    std::uint32_t newest{no_mode};  ///< newest active mode, whose strength the player can draw; no_mode: none
-    bool draws{};  ///< true: the player draws the strength of the newest mode with the button Trace
-    /// Strength of the newest mode over the property that it reads, at equal distances over the width of the
-    /// plane on which the player draws it. 0 is the plane's bottom, and 1 its top.
+    std::array<bool, max_orb_modes> worn{};  ///< for each haptic mode, true if it is switched on
+    std::uint32_t newest{no_mode};  ///< haptic mode switched on last, whose strength the player can draw;
+                                    ///< no_mode: none
+    bool draws{};  ///< true: the player draws the strength of the newest haptic mode with the button Trace
+    /// Curve that the player draws on a plane: upwards, the strength of the haptic mode `newest`; from left
+    /// to right, the property of the flow that the mode reads, such as speed. The values are at equal
+    /// distances over the plane's width. 0 is the plane's bottom, and 1 its top.
     std::array<float, curve_points> curve{};
     /// time that the probe has been held at the hidden core so far, and required time (s)
     double held_s{}, wanted_s{};
@@ -69,7 +71,7 @@ struct ScryingPicture {
     bool told{};  ///< true: the orb has already given its reward in this life
     /// Ingredients in the secret order of this player's recipe; empty: the order is not revealed.
     std::array<std::string_view, 3> order{};
-    std::string_view potion{};  ///< potion whose recipe has the order in `order`
+    std::string_view potion{};  ///< name of the potion whose recipe has the order in `order`
 };
 
 /// Voxels of a touched crystal at one moment. They never change, so pictures share them.
@@ -82,7 +84,7 @@ struct CrystalVoxels {
 struct CrystalPicture {
     vec3 middle{};         ///< middle of the crystal (m, world)
     double yaw{};          ///< rotation of its frame about the vertical axis (rad)
-    double edge{};         ///< length of the cube's edge (m)
+    double edge{};         ///< length of the crystal's edges (m)
     std::uint64_t seed{};  ///< seed of the crystal's uncarved shape and of the key's shape
     /// Voxels of the crystal; null until a wizard or a shot has touched it.
     std::shared_ptr<const CrystalVoxels> voxels{};
@@ -99,9 +101,10 @@ struct CarvingPicture {
     /// Names of all tools, by the key that chooses them; empty: none.
     std::array<std::string_view, wand_slots> tools{};
     std::uint32_t tool{};  ///< index of the chosen tool
-    /// share of matter that crystal and key's shape have in common, 0 to 1; 0: the crystal is untouched
+    /// share of matter that the crystal and the key to be carved have in common, 0 to 1; 0: the crystal is
+    /// untouched
     double overlap{};
-    double wanted{};  ///< overlap at which the wizard gains the Lens, one half of the Great Work
+    double wanted{};  ///< value of `overlap` at which the wizard gains the Lens, one half of the Great Work
 };
 
 /// Progress of a wizard's Great Work, whose two halves are Azoth (a potion) and the Lens (from a crystal).

@@ -9,12 +9,12 @@
 namespace thaum::game::inline picture {
 
 struct StationsPicture {
-    std::string_view carries{};  ///< name of the carried ingredient; empty: none
-    fvec3 carried_colour{};      ///< colour of the carried ingredient (linear light)
+    std::string_view carries{};  ///< name of the ingredient that the wizard carries; empty: none
+    fvec3 carried_colour{};      ///< colour of the ingredient that the wizard carries (linear light)
     IngredientShape carried_shape{};
     RecipePicture recipe;  ///< next step at the cauldron; for a player who stirs or can start to
     bool refilled{};       ///< true while stirring refills the wands
-    bool stirs{};          ///< true if the player holds a ladle
+    bool stirs{};          ///< true if the player holds a ladle and stirs
     bool at_rim{};         ///< true if the player can start to stir
     bool misses_rim{};     ///< true if the player presses the button Stir a few steps away from the rim
     ScryingPicture scrying;

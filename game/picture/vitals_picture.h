@@ -10,11 +10,12 @@
 namespace thaum::game::inline picture {
 
 struct VitalsPicture {
-    vec3 centre{};          ///< middle of the body (m, world)
-    vec3 eye{};             ///< eye position (m, world)
-    double yaw{}, pitch{};  ///< direction of view (rad)
+    vec3 centre{};          ///< middle of the wizard's body (m, world)
+    vec3 eye{};             ///< position of the wizard's eye (m, world)
+    double yaw{}, pitch{};  ///< direction in which the wizard looks (rad)
     bool dead{}, shielded{};
-    std::uint32_t lives{};                         ///< number of deaths; a change marks a teleport
+    std::uint32_t lives{};                         ///< number of deaths; when it changes, the wizard appears
+                                                   ///< elsewhere
     double health{}, health_full{}, health_cap{};  ///< health now, of a new wizard, and at most (HP)
     std::int32_t kills{}, deaths{};
     double returns_in_s{};  ///< time until the wizard returns, if dead (s)

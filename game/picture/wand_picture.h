@@ -16,7 +16,7 @@ struct WandPicture {
     std::uint32_t number{};  ///< index of that wand in Presentation::wands
     double energy{}, energy_cap{};
     std::array<double, input::max_wands> charges{};  ///< energy of each wand of Presentation::wands
-    std::uint32_t fired{};                           ///< number of shots and throws so far
+    std::uint32_t fired{};                           ///< number of shots and throws by the wizard so far
     Target target{};     ///< the thing under the crosshair, and what the wand in hand can do with it
     double readiness{};  ///< charge or draw of the wand, 0 to 1
     vec3 turn{};   ///< rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame)

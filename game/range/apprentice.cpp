@@ -33,7 +33,7 @@ Hand hand_of(const Simulation& match, ecs::Entity wizard) {
     return {wand, wand->rules->held_at(match.world(), wizard)};
 }
 
-/// Whether the held thing is the first obstacle between the dummy's eye and a position.
+/// Whether the thing that the player holds is the first obstacle between the dummy's eye and a position.
 bool stands_between(const Simulation& match, vec3 held, vec3 place) {
     const auto& world = match.world();
     const auto dummy = wizard_of(world, dummys);
@@ -44,7 +44,7 @@ bool stands_between(const Simulation& match, vec3 held, vec3 place) {
     return motion != nullptr && motion->position == held;
 }
 
-/// Whether the held thing hides the player's eye or the middle of the body from the dummy.
+/// Whether the thing that the player holds hides the player's eye or the middle of the body from the dummy.
 bool guards(const Simulation& match, ecs::Entity wizard, const Hand& hand) {
     if (!hand.held || !hand.wand->rules->grasp()) return false;
     const vec3 body = match.world().get<Motion>(wizard).position;
@@ -76,7 +76,8 @@ struct Steps {
     vec3 feet{};
 };
 
-/// New value of what a condition measures, from its value at the last look. Events are counted elsewhere.
+/// New value of the quantity that a lesson's condition measures, given its value when the match was last
+/// looked at. Events are counted in Apprentice::measure_events.
 double measured(const Simulation& match, const Condition& condition, const Steps& steps, double before) {
     const auto wizard = wizard_of(match.world(), practising);
     const auto hand = hand_of(match, wizard);
@@ -98,7 +99,7 @@ double measured(const Simulation& match, const Condition& condition, const Steps
     return before;
 }
 
-/// Whether the player stands far below the step's place, as in a pit.
+/// Whether the player stands far below the place of the lesson's step, as in a pit.
 bool has_fallen(const Simulation& match, const LessonStep& step, vec3 feet) {
     const auto& stance = match.world().get<Stance>(wizard_of(match.world(), practising));
     return step.player && stance.grounded != 0 && feet.y < step.player->feet.y - fallen;
@@ -146,8 +147,8 @@ DummyKind Apprentice::dummy_kind() const {
     return lessons_.steps[at_].dummy_kind;
 }
 
-/// Counts events of the player. A wizard who returns to life appears at a pad, and is then moved to the
-/// step's place again.
+/// Counts the player's events for the conditions of the present deed (thing to be done). A wizard who returns
+/// to life appears at a pad, a place to start from, so it is then moved to the step's place again.
 void Apprentice::measure_events(const Simulation& match) {
     match.events().each_new(seen_events_, [&](const Event& event) {
         if (event.kind == EventKind::spawn && event.subject < players) to_place_[event.subject] = true;

@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 3> dummy_names{"still", "strafing"
 
 struct DummyRules {
     double stride{};   ///< distance that a strafing dummy walks to each side (m)
-    BotSkill skill{};  ///< skill of a shooting dummy
+    BotSkill skill{};  ///< how well a shooting dummy aims and how fast it reacts (skill of a bot)
 };
 
 class Dummy {
@@ -29,7 +29,7 @@ public:
     DummyKind kind() const { return kind_; }
     const DummyRules& rules() const { return rules_; }
     void become(DummyKind kind);
-    /// Continues with changed match data or changed rules.
+    /// Continues with changed data of the match, or with changed rules for dummies.
     void adopt(const Simulation& match, const DummyRules& rules);
 
     /// The dummy's input (device sample) for the next tick of the match.
@@ -47,7 +47,8 @@ private:
     Eyes eyes_{};
     Mind mind_{};
     WalkGrid grid_;
-    bool begins_ = true;          ///< true: at the next gameplay tick the dummy starts without memory
+    bool begins_ = true;          ///< true: at the next gameplay tick the dummy forgets what it saw and how
+                                  ///< it walked
     std::optional<vec3> home_{};  ///< place where the dummy came to life; std::nullopt while it is dead
     std::int32_t way_ = 1;        ///< direction of walking: 1 to its right, -1 to its left
     Tick walked_at_{};            ///< when the dummy last made progress in walking (ticks of play)

@@ -10,8 +10,8 @@ namespace {
 using input::HandFader;
 
 constexpr Tick length = ticks(1.5);
-// Forces of the samples, for a device with a peak force of 3.3 N, with recoil and weight as the wands have
-// them.
+// Forces with which a player tries a strength setting, for a device with a peak force of 3.3 N. Recoil and
+// weight are those of the wands.
 constexpr double bolt_recoil = 1.2;     // peak force of a kick (N)
 constexpr double blow = 2;              // peak force of a blow (N)
 constexpr double weight_per_kg = 0.01;  // felt weight (N/kg)
@@ -19,7 +19,7 @@ constexpr Tick recoil_length = 15, blow_length = 20, between_recoils = 125, reco
 constexpr double mass = 30;        // mass whose weight is felt (kg)
 constexpr Tick weight_rise = 200;  // ticks in which the weight fades in, and also out
 
-/// Felt weight at a time, as a share of the full weight.
+/// Share of the full weight that is felt at this time after the beginning: it fades in, stays, and fades out.
 double weight_at(Tick age) {
     const Tick to_end = length - std::min(age, length);
     return std::min(1.0, static_cast<double>(std::min(age, to_end)) / weight_rise);

@@ -22,7 +22,7 @@ public:
 
 private:
     input::HandFader fader_{};
-    Tick left_{};  ///< ticks until the end; 0: no sample is playing
+    Tick left_{};  ///< ticks until the forces to be tried end; 0: none are being tried
 };
 
 }  // namespace thaum::game::inline range

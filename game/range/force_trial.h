@@ -34,9 +34,9 @@ private:
     explicit ForceTrial(bool runs) : runs_(runs) {}
 
     bool runs_ = false;
-    /// Fire was down in the last tick; initially true, so that a press from before does not count.
+    /// Fire was down in the last tick; initially true, so that a press from before the trial does not count.
     bool held_ = true;
-    Tick age_{};  ///< ticks since the start
+    Tick age_{};  ///< ticks since the start of the search
     std::uint32_t percent_{};
 };
 

@@ -36,12 +36,12 @@ std::string spell_shown(const MatchData& data, const std::string& gesture) {
 
 /// Number of the gesture of which a stroke is probably the first part; no_gesture: none.
 std::uint32_t gesture_begun(const game::GestureSet& gestures, gesture::Points stroke) {
-    const auto space = std::make_unique<gesture::PrefixSpace>();  // too large for the stack
+    const auto space = std::make_unique<gesture::PrefixSpace>();  // too large for the stack, so on the heap
     const auto likely = gestures.prefixes().read(stroke, *space);
     return likely.probability >= gesture::likely_enough ? likely.gesture : game::no_gesture;
 }
 
-/// Arc length of a stroke (m).
+/// Length of a stroke's path (m).
 double way_of(gesture::Points stroke) {
     double way = 0;
     for (std::size_t i = 1; i < stroke.size(); ++i) way += glm::distance(stroke[i - 1].at, stroke[i].at);

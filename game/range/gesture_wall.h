@@ -58,7 +58,7 @@ private:
     /// True: a key chord (a wand's key while Trace is held) has replaced the newest stroke.
     bool chord_ = false;
     int chosen_ = -1;
-    Tick read_at_{};  ///< tick of the newest stroke reading that was shown (LastReading::at)
+    Tick read_at_{};  ///< tick of play of the newest reading of a stroke that was shown (LastReading::at)
     Tick shown_until_{};
     std::vector<std::string> lines_{};
     gesture::Gesture recording_{};  ///< the gesture being recorded; without a name: none

@@ -16,10 +16,10 @@ namespace thaum::game::inline range {
 namespace {
 
 constexpr auto lessons_file = "apprentice.toml";
-constexpr double farthest = 500;  ///< largest coordinate in the file (m)
-constexpr double longest = 600;   ///< longest time in the file (s)
+constexpr double farthest = 500;  ///< largest coordinate that the file may contain (m)
+constexpr double longest = 600;   ///< longest time that the file may contain (s)
 
-/// A condition whose value in the file is one number.
+/// A condition of a lesson whose value in the file is one number.
 struct NumberCondition {
     std::string_view key;
     ConditionKind kind;
@@ -36,7 +36,7 @@ constexpr NumberCondition number_conditions[] = {
     {"stirred_m", ConditionKind::stirred, 0.01, farthest, 1},
 };
 
-/// A key that is only allowed with a certain condition, and the key of that condition.
+/// A key of the file that is only allowed beside the key of a certain condition, and that key.
 struct Companion {
     std::string_view key, of;
 };
@@ -55,7 +55,7 @@ bool is_condition(std::string_view key) {
                        [&](const auto& c) { return c.key == key; });
 }
 
-/// Reports keys that are no condition, and keys without the condition that they need.
+/// Reports keys of the file that are no condition, and keys without the condition that they belong to.
 void check_keys(const ConfigTable& table) {
     std::string all;
     for (const auto& condition : number_conditions) all += text(condition.key, ", ");

@@ -11,9 +11,9 @@ namespace thaum::game::inline range {
 
 class Practice;
 
-/// What a request can act on.
+/// Objects on which a request to the running match can act.
 struct RequestTarget {
-    Practice* practice{};       ///< null: the match is not on the range
+    Practice* practice{};       ///< the practice on the range; null: the match is not on the range
     std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
 };
 
@@ -27,14 +27,14 @@ concept ActsOnRange = requires(const T& request, Practice& practice) {
 };
 
 /// Any small plain struct that has `void carry_out(RequestTarget&) const`, or `void carry_out(Practice&)
-/// const`, which does nothing in a match that is not on the range. The list of such structs is open, so that
-/// neither the menu nor the session nor the simulation knows them: whoever asks names the struct, and the
-/// struct acts.
+/// const`, which does nothing in a match that is not on the range. Any code may add such a struct, because
+/// neither the menu nor the session nor the simulation has a list of them: whoever asks names the struct, and
+/// the struct acts.
 class MatchRequest {
 public:
     static constexpr std::size_t max_bytes = 8;
 
-    /// Asks for nothing.
+    /// A request that does nothing.
     MatchRequest() = default;
     template <class T>
     requires(!std::is_same_v<T, MatchRequest> && (ActsOnMatch<T> || ActsOnRange<T>))

@@ -93,8 +93,8 @@ void Practice::adopt(const Reload& reload) {
     scorer_.reset(match());
 }
 
-/// Moves a wizard to its place in the present step. If the step has no place for it, only empties its hands
-/// and restores full health.
+/// Moves a wizard to its place in the present step of the lessons. If the step has no place for it, only
+/// empties its hands and restores full health.
 void Practice::place(std::uint32_t player) {
     const auto& step = apprentice_->lessons().steps[apprentice_->at()];
     const auto& place = player == practising ? step.player : step.dummy;

@@ -43,13 +43,14 @@ private:
 class Practice {
 public:
     /// `devices` are those of the practising player: the simulated hands first, then the real arm if the
-    /// player holds one. With `lessons`, the Apprentice runs instead of free practice.
+    /// player holds one. With `lessons`, the series of lessons (Apprentice) runs instead of free practice.
     Practice(const RangeData& data, const std::vector<input::DeviceSpec>& devices, DummyKind kind,
              std::uint64_t seed, std::optional<Lessons> lessons = {},
              std::vector<input::ProfileData> profile = {});
 
     Simulation& match() { return *range_.match; }
-    /// At the start of a step, removes fire from the practising player's samples until it is released.
+    /// Removes a press of fire that began before a step of the lessons, or that chose a force, from the
+    /// practising player's samples until fire is released, so that it fires no shot.
     void hold_fire_back(input::InputFrame& frame);
     /// Starts the search for the largest force that the player likes.
     void find_force() { force_trial_.begin(); }
@@ -61,7 +62,7 @@ public:
         if (found) tell_found(*found);
         return found;
     }
-    /// Lets the player try the forces whose strength one fader sets.
+    /// Lets the player feel the forces whose strength one setting (fader) sets.
     void play_force(input::HandFader fader) { force_sample_.begin(fader); }
     /// Whether the search for the largest force is running. Meanwhile the player's own force limit does not
     /// apply.
@@ -82,7 +83,7 @@ public:
     /// Takes the player's next strokes for a gesture, by its number in the match's
     /// set. Unknown numbers do nothing.
     void draw_gesture(std::uint32_t number);
-    /// Looks at the strokes of the practising player after a tick.
+    /// Passes the strokes that the practising player draws to the gesture wall. Call this after every tick.
     void follow_gestures();
     /// The gesture wall, a display of all gestures. The lessons do not show it.
     GestureWall& wall() { return wall_; }
@@ -105,7 +106,7 @@ private:
     void heal();
     void show_lesson(PracticePicture& picture);
 
-    RangeData data_;  ///< data as in the files, without `changes_`
+    RangeData data_;  ///< data as in the files, without the changes of rules that the player has chosen
     RangeChanges changes_{};
     RangeMatch range_;
     RangeScorer scorer_{};
@@ -113,7 +114,8 @@ private:
     GestureWall wall_{};
     ForceTrial force_trial_{};
     ForceSample force_sample_{};
-    bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
+    bool fire_anew_ = false;  ///< true: fire does nothing until it has been released, because an earlier
+                              ///< press holds it down
     Caption caption_{};
     Tick caption_until_{};  ///< end of the caption (ticks of play, so that a pause does not use up its time)
 };

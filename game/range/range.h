@@ -8,7 +8,7 @@
 
 namespace thaum::game::inline range {
 
-/// Data of a range.
+/// Data of a practice range.
 struct RangeData {
     /// Data of the match; its `files` lists all files that were read.
     std::shared_ptr<const MatchData> match;
@@ -18,7 +18,7 @@ struct RangeData {
 /// Changes of a range's rules that a practising player chooses. The alignment lets every compiler store both
 /// flags in one atomic word.
 struct alignas(2) RangeChanges {
-    bool endless_energy = false;  ///< true: wands are always full
+    bool endless_energy = false;  ///< true: wands are always full of energy
     bool harmless_brew = false;   ///< true: the brew neither slows, lifts nor hurts wizards
     bool operator==(const RangeChanges&) const = default;
 };
@@ -57,8 +57,8 @@ void refresh_wizard(Simulation& match, std::uint32_t player);
 /// empty hands.
 void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place);
 
-/// `more`: further devices, such as arms. Recorded gestures in `profile` that do not suit the data are left
-/// out.
+/// Makes a running range. `more`: further devices, such as arms. Recorded gestures in `profile` that do not
+/// suit the data are left out.
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
                       std::uint64_t seed, std::vector<input::DeviceSpec> more = {},
                       std::vector<input::ProfileData> profile = {});
@@ -67,7 +67,7 @@ RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, Du
 struct RangeScore {
     std::uint32_t shots{}, hits{}, kills{};
     double damage{};   ///< harm to the dummy (HP)
-    double minutes{};  ///< time since the first shot (min)
+    double minutes{};  ///< time since the first shot, or since the score was reset (min)
     double damage_per_minute() const { return minutes > 0 ? damage / minutes : 0; }
 };
 
@@ -80,7 +80,7 @@ public:
 
 private:
     RangeScore before_{};
-    Tick began_{};  ///< beginning of the scored time (ticks of play)
+    Tick began_{};  ///< beginning of the time for which the score counts (ticks of play)
 };
 
 /// Text of a score: "12 of 64 hit (19 %), 72 HP, 1 kill, 188 HP a minute".

@@ -473,14 +473,15 @@ void open_coroutine(lua_State* lua) {
     wrap(lua, -1, "close", call_catcher);
 }
 
-/// Level of a long bracket after a '[', or -1 if there is none.
+/// Level of the long bracket that may begin with the '[' at `at`, which is its number of '='; -1 if there is
+/// none.
 int long_level(std::string_view source, std::size_t at) {
     std::size_t end = at + 1;
     while (end < source.size() && source[end] == '=') ++end;
     return end < source.size() && source[end] == '[' ? static_cast<int>(end - at - 1) : -1;
 }
 
-/// Position after the end of the long text or comment that begins at `at`.
+/// Position after the end of the long text or comment that begins at `at` with a bracket of this level.
 std::size_t skip_long(std::string_view source, std::size_t at, int level) {
     const auto close = text("]", std::string(static_cast<std::size_t>(level), '='), "]");
     const auto end = source.find(close, at);

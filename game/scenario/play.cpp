@@ -50,7 +50,7 @@ void open_log(Play& play) {
     play.log = std::make_unique<input::LogWriter>(std::move(*log));
 }
 
-/// Returns the part of a turn that fits in one tick, and subtracts it.
+/// Returns the part of a turn (mouse counts) that fits in one tick, and subtracts it from `left`.
 std::int32_t part_of(std::int32_t& left) {
     const auto part = std::clamp(left, -max_counts, max_counts);
     left -= part;
@@ -104,7 +104,7 @@ void note_forces(Play& play) {
     append_forces(*play.match, play.felt->csv);
 }
 
-/// Passes the match's newest haptic models to the arms.
+/// Passes the match's newest haptic models, from which an arm computes its force, to the simulated arms.
 void publish_orders(const Simulation& match, ScriptArms& arms) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& arm = arms[player];

@@ -48,7 +48,7 @@ struct Hand {
     std::int32_t look_right{}, look_up{};    ///< mouse counts still to be sent
     std::int32_t drawn_right{}, drawn_up{};  ///< mouse counts added in the coming tick
     std::int32_t stick_right{}, stick_up{};  ///< deflection of the stick that turns the view, -127 to 127
-    std::int32_t strafe{}, forward{};        ///< movement axes, -127 to 127
+    std::int32_t strafe{}, forward{};        ///< wanted motion to the right and ahead, -127 to 127
     std::uint32_t buttons{};
     std::uint8_t wand{};        ///< wand whose key is down, 1 to input::max_wands; 0: none
     std::int32_t trigger{255};  ///< pull of the trigger while fire is held, 0 to 255 (full)
@@ -106,8 +106,9 @@ struct Play {
     std::vector<std::uint64_t> hashes;      ///< state hashes, one after every hash_interval ticks
     /// states every keyframe_interval ticks, if the match can be replayed
     std::vector<Keyframe> keyframes;
-    std::vector<Event> events;      ///< all events since the start
-    std::uint64_t events_seen{};    ///< EventLog::count after the last collected event
+    std::vector<Event> events;  ///< all events since the start
+    /// number of events recorded by the match (EventLog::count) up to the last one that `events` has
+    std::uint64_t events_seen{};
     std::size_t events_expected{};  ///< index of the first event that expect_event has not examined
     Bytes begun;                    ///< saved state of the match before its first tick
     std::vector<Bytes> states;      ///< states saved by the script
@@ -124,7 +125,8 @@ struct Play {
     bool scene_set{};
     std::unique_ptr<input::LogWriter> log;
     std::filesystem::path log_path;
-    std::optional<Tick> save_at;  ///< tick at which the state is copied to `saved`, to examine a difference
+    /// tick at which the state is copied to `saved`, to find out how two runs differ
+    std::optional<Tick> save_at;
     Bytes saved;
 
     Tick wait_until{};  ///< tick at which the wait ends, compared with Simulation::now
@@ -137,7 +139,7 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted);
 /// Plays one tick of the match with the input of all hands.
 void tick(Play& play);
 
-/// Stops the match for some ticks while the arms continue, then lets the match catch up.
+/// Stops the match for some ticks while the simulated arms continue, then lets the match catch up.
 void stall(Play& play, Tick ticks);
 
 /// Notes that the script has changed the world, so that log and frames no longer determine the match.
@@ -146,7 +148,8 @@ void scene_is_set(Play& play);
 /// Closes the log and writes the traces.
 void end_match(Play& play);
 
-/// Text of the force trace; std::nullopt: the script did not ask for one.
+/// Text of the force trace, a table of the forces on both hands; std::nullopt: the script did not ask for
+/// one.
 std::optional<std::string> force_trace_of(Play& play);
 /// Number of ticks in which the match computed another force than an arm's thread. It must be 0.
 std::uint64_t differing_forces(const Play& play);
@@ -175,9 +178,10 @@ double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
 
-/// Value of the column `with` in the table of events; empty if the event has none.
+/// What the column `with` in the table of events contains, such as the cause of a hit; empty if the event has
+/// none.
 std::string with_of(const Play& play, const Event& event);
-/// Records an event that did not happen in the match.
+/// Records an event that did not happen in the match, so that it is heard and felt.
 void record_by_hand(Play& play, const Event& event);
 
 /// A missile in flight.
@@ -203,7 +207,8 @@ double surface_at(const Play& play, vec3 place);
 /// Name of an ingredient of the cauldron.
 const std::string& ingredient_name(const Play& play, std::size_t ingredient);
 
-/// The orb's hidden core, the axis of its strongest vortex, in the device frame of a wizard who scries.
+/// The orb's hidden core, the axis of its strongest vortex, in the device frame of a wizard who works at the
+/// orb.
 struct CoreInHand {
     vec3 place{}, axis{};
 };
@@ -218,7 +223,8 @@ LookCounts counts_to(const Play& play, std::uint32_t player, vec3 target);
 
 /// Starts to record the forces on both hands.
 void begin_force_trace(Play& play);
-/// Adds a column such as "1.x", "2.health" or "t3.speed". The error says that there is no such column.
+/// Adds to a trace a column such as "1.x", "2.health" or "t3.speed". The error says that there is no such
+/// column.
 Expected<void> add_column(const Play& play, const std::string& column, Trace& trace);
 /// Adds one line with the present values to the trace.
 void trace_now(const Play& play, Trace& trace);

@@ -24,7 +24,8 @@ struct PlaySenses::Inside {
     std::optional<audio::Mixer> mixer;
     std::array<float, audio::block_values> block{};
     std::vector<float> mixed;
-    std::vector<audio::Signature> known;  ///< signature of each sound; empty until `nearest` is called
+    /// signature of each sound, with which `nearest` compares; empty until `nearest` is called
+    std::vector<audio::Signature> known;
 };
 
 PlaySenses::PlaySenses(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}

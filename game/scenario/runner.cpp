@@ -51,8 +51,8 @@ bool is_number(const std::string& text, double& value) {
 /// True for a field that changes in every match, even without any action.
 bool passes_anyway(const ecs::Difference& d) {
     if (d.component == "Match") return d.field == "played";
-    // The event log changes without any action when players are shown recipes. An action also changes other
-    // components.
+    // The event log changes even without any action, when players are shown recipes. It need not be compared,
+    // because each action changes another component, too.
     if (d.component == "EventLog") return true;
     if (d.component == "Stance" || d.component == "Controls") return true;
     if (d.component == "HandState") return !d.field.starts_with("device") && !d.field.starts_with("kick");
@@ -144,7 +144,7 @@ Outcome run_once(std::string_view source, const std::string& name, const Scenari
     return outcome;
 }
 
-/// Returns the first hashed tick at which the runs differ.
+/// Returns the first tick with a state hash at which the two runs differ.
 std::optional<Tick> first_difference(const Outcome& a, const Outcome& b) {
     for (std::size_t i = 0; i < std::min(a.hashes.size(), b.hashes.size()); ++i) {
         if (a.hashes[i] != b.hashes[i]) return (i + 1) * hash_interval;
@@ -201,7 +201,8 @@ std::string fault_of_repeat(std::string_view source, const std::string& name, co
 
 constexpr std::size_t max_force_trace = 1U << 20U;
 
-/// Writes the force trace, or compares it with the stored one. Returns an empty string, or the fault.
+/// Writes the force trace (a table of the forces on both hands), or compares it with the stored one. Returns
+/// an empty string, or the fault.
 std::string check_forces(const std::string& forces, const std::string& name,
                          const std::filesystem::path& folder, bool keep) {
     const auto file = folder / (name + ".csv");

@@ -51,8 +51,8 @@ using ReadScreen = std::function<std::vector<std::string>(const Simulation& matc
 /// How a scenario is checked to give the same match again.
 enum class SameAgain : std::uint8_t {
     unchecked,
-    by_replay,      ///< by replaying its log or, if it has none, by a second run
-    by_second_run,  ///< by running the script twice, bots included
+    by_replay,      ///< the log of its match is replayed; if it has none, the script runs twice
+    by_second_run,  ///< the script runs twice, bots included
 };
 
 struct ScenarioOptions {
@@ -61,8 +61,8 @@ struct ScenarioOptions {
     std::filesystem::path scripts;  ///< folder in which scenarios are found by name
     TakePicture take_picture;       ///< null: scenarios that take pictures fail with a message
     ReadScreen read_screen;         ///< null: scenarios that read the screen fail with a message
-    /// Folder for writing force traces. If it is empty, traces are compared with those in ../replays/forces
-    /// beside the script's folder, if that folder exists.
+    /// Folder for writing force traces (tables of the forces on both hands). If it is empty, traces are
+    /// compared with those in ../replays/forces beside the script's folder, if that folder exists.
     std::filesystem::path keep_forces{};
     SameAgain same_again = SameAgain::by_replay;
     Tick max_ticks = ticks(660);  ///< longest duration of one run
@@ -82,7 +82,7 @@ struct ScenarioResult {
     std::vector<std::string> files;  ///< file names inside ScenarioOptions::out
 };
 
-/// Folder of the force traces to compare with or to write. Empty if there is none.
+/// Folder of the force traces (tables of the forces on both hands) to compare with or to write; empty: none.
 std::filesystem::path forces_folder(const std::filesystem::path& script, const ScenarioOptions& options);
 
 /// Runs one scenario from its file.

@@ -84,7 +84,8 @@ int guarded_call(lua_State* lua, const VerbEntry& entry, State& state) noexcept 
     return results;
 }
 
-/// The last lines can jump over this frame (longjmp), so it holds no object with a destructor.
+/// Calls a verb (a function of the program) for a script. The last lines may raise a Lua error, whose longjmp
+/// skips this frame, so the function holds no object with a destructor.
 int call_verb(lua_State* lua) {
     auto& state = state_of(lua);
     const auto& entry = *static_cast<const VerbEntry*>(lua_touserdata(lua, lua_upvalueindex(1)));

@@ -324,9 +324,10 @@ ScriptArm& arm_of(Play& play, std::uint32_t player) {
     return *play.arms[player];
 }
 
-/// Half width of a device's workspace (m).
+/// Largest coordinate that a script may give for the place of an arm's tip (m, device frame).
 constexpr double arm_reach = 0.3;
-/// Longest delay before the match skips device samples (s).
+/// Longest time for which a script may stop the match (s). After a longer one the match would skip device
+/// samples.
 constexpr double longest_stall = 0.25;
 
 int verb_reach(lua_State* lua, void* context) {
@@ -421,7 +422,7 @@ void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
 }
 
 /// Pushes the potions that act on the player, each with the time left (s), and `work_half`: whether the
-/// player holds Azoth, half of the Great Work.
+/// player holds Azoth, one half of the Great Work, which wins a round.
 void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto& potions = part<Potions>(play, player);
     const auto played = play.match->match().played;
@@ -486,8 +487,8 @@ constexpr WizardReader wizard_readers[] = {
                 std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).device.position); }},
     {"force", [](lua_State* lua, const Play& p,
                  std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).servo.safety.output); }},
-    // Largest net energy that passive sources have given to the hand, beyond the energy that hand and world
-    // gave to them (J).
+    // Largest energy that forces which must create none (passive sources) have created so far: what they gave
+    // to the hand beyond what hand and world gave to them (J).
     {"created",
      [](lua_State* lua, const Play& p, std::uint32_t i) {
          lua_pushnumber(lua, part<HandState>(p, i).servo.energy.most_created);

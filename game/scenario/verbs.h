@@ -34,7 +34,7 @@
 //                         how: {size = width in m, seconds, times = turns in one stroke}
 //       reach(place [, speed])
 //                         moves the arm's tip (m, m/s, arm's frame); without a speed the tip jumps
-//       scry(keys ...)    holds Stir at the orb and puts on the modes of these keys
+//       scry(keys ...)    holds Stir at the orb and turns on the haptic modes of these keys
 //       steer(place, speed)
 //                         at the orb or a crystal: moves the hand for a tick towards a place (m, m/s, device
 //                         frame); returns the distance that is left
@@ -45,7 +45,7 @@
 //       core()            place of the hidden core nearest to the orb's middle, and its direction (device
 //                         frame)
 //       curve(key, property)
-//                         strength that a mode has at a property (N)
+//                         strength that a haptic mode has at a value of its property (N)
 //       told()            force computed by the arm's own thread in its last tick (N)
 //       place(feet), face(yaw, pitch) in degrees: set the scene
 //     wait(seconds), tick([n]), time(), now() in ticks, wait_until(condition, seconds), pause(n)
@@ -57,7 +57,7 @@
 //     spawn{kind = "box" | "sphere" | "cylinder", size = {x, y, z} | radius = , height = , mass = , at = ,
 //           velocity = , surface = , friction = , restitution = }
 //                         sets the scene: adds a thing with position(), velocity(), place(at [, velocity]),
-//                         push(impulse) in N s, and there()
+//                         push(impulse) in N s, and there(), which is false once it is gone
 //     clear_props()       sets the scene: removes the loose things
 //     round_over() -> over, "kills" | "time", winner; match_over() -> over, {rounds won}; round_number()
 //     power_ups()         a list of {kind = "vial" | "heart" | "spark", place = , there = ,

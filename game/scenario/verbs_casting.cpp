@@ -33,7 +33,7 @@ gesture::Effort read_effort(lua_State* lua, int index) {
     return gesture::Effort::normal;
 }
 
-/// Draws a figure, or a scribble, with the mouse of a generated user.
+/// Draws a figure, or a scribble, as a generated user (a simulated person) would with a mouse.
 std::vector<gesture::StrokePoint> draw(const std::string& shape, std::uint64_t user, gesture::Effort effort,
                                        Random& random) {
     Random user_random = random_stream(user, 1);

@@ -38,8 +38,8 @@ std::string voxel_hash_of(const ecs::World& world, const Crystal& crystal) {
     return text(hash_bytes(std::as_bytes(colour), hash_bytes(std::as_bytes(density))));
 }
 
-/// Overlap with the key's shape. For an untouched crystal, the match computes it only when a wizard starts to
-/// carve, so it is computed here.
+/// Overlap of a crystal with the key, the shape to be carved. For an untouched crystal, the match computes it
+/// only when a wizard starts to carve, so it is computed here.
 double overlap_of(const Crystal& crystal) {
     if (crystal.touched != 0) return crystal.overlap;
     const auto key = key_density(crystal.seed, crystal_side);
@@ -85,12 +85,13 @@ int verb_crystal_ray(lua_State* lua, void* context) {
     return 1;
 }
 
-/// A voxel in which the key's density is at most this clearly lies outside of the key.
+/// A voxel in which the key, the shape to be carved, has at most this density clearly lies outside of the
+/// key.
 constexpr float clear_miss = 0.1F;
 
-/// Verb: the nearest voxel that is solid and clearly should not be ("melt"), or is not solid and clearly
-/// should be ("construct"), with that word; nil if there is none. `kind`: one of these words, or nil for
-/// both.
+/// Verb: the nearest voxel that is solid though it clearly lies outside the key, the shape to be carved
+/// ("melt"), or empty though it clearly lies inside ("construct"), with that word; nil if there is none.
+/// `kind`: one of these words, or nil for both.
 int verb_crystal_fault(lua_State* lua, void* context) {
     auto& play = *static_cast<Play*>(context);
     const auto& crystal = touched_crystal(began(context), lua);
@@ -119,8 +120,8 @@ int verb_crystal_fault(lua_State* lua, void* context) {
     return 2;
 }
 
-/// Verb: state of a wizard's work on crystals: tool, whether it cuts, position of the tool, Lens, time of the
-/// Great Work (s).
+/// Verb: state of a wizard's work on crystals: tool, whether it cuts, its position, whether the wizard has
+/// the Lens (the reward), and for how long both halves of the Great Work were held (s).
 int verb_carver(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
@@ -143,7 +144,7 @@ int verb_carver(lua_State* lua, void* context) {
 }
 
 /// Verb that changes the world by itself (sets the scene), so that no log is kept: gives a wizard one half of
-/// the Great Work, Azoth or the Lens.
+/// the Great Work, which wins a round: Azoth or the Lens.
 int verb_give(lua_State* lua, void* context) {
     auto& play = began(context);
     const auto wizard = wizard_of(world_of(play), arg::player(lua, 1));

@@ -23,7 +23,7 @@ void set_modes(lua_State* lua, const Play& play, const WornModes& modes) {
     lua_setfield(lua, -2, "modes");
 }
 
-/// Verb: state of a wizard's work at the orb; nil if the wizard does not scry.
+/// Verb: state of a wizard's work at the orb; nil if the wizard does not work there.
 int verb_scrying(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
@@ -43,8 +43,8 @@ int verb_scrying(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Verb: the orb's hidden core (the axis of its strongest vortex) in the device frame of a wizard who scries:
-/// its point nearest to the orb's middle, and its direction.
+/// Verb: the orb's hidden core, the axis of its strongest vortex: its point nearest to the orb's middle, and
+/// its direction, in the device frame of a wizard who works at the orb.
 int verb_core(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto core = core_in_hand(play, arg::player(lua, 1));
@@ -54,8 +54,8 @@ int verb_core(lua_State* lua, void* context) {
     return 2;
 }
 
-/// Verb: strength of a mode (given by its key) at a property (N), as drawn by the wizard or given by the
-/// rules.
+/// Verb: strength of a haptic mode, given by its key, at a value of its property (N): as the wizard has drawn
+/// it, or else as the rules give it.
 int verb_curve(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);

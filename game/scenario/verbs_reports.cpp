@@ -199,7 +199,7 @@ void push_difference(lua_State* lua, const ecs::Difference& d) {
     arg::set_text(lua, "field", d.field);
     arg::set_text(lua, "before", d.a);
     arg::set_text(lua, "after", d.b);
-    if (d.entity == ecs::none) return;  // a blob belongs to no entity, so the field is left out
+    if (d.entity == ecs::none) return;  // state outside of all entities: no field `entity`
     lua_pushinteger(lua, d.entity);
     lua_setfield(lua, -2, "entity");
 }

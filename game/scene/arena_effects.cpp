@@ -13,7 +13,7 @@ using render::Instance;
 namespace {
 
 constexpr int embers = 36, bubbles = 14;
-/// Number of steam wisps: over a pure brew, and over the lightest brew.
+/// Number of steam wisps: over a pure brew, and over a brew of the least density.
 constexpr double min_wisps = 9, max_wisps = 26;
 constexpr float brew_glow = 1.7F;  // brightness of the brew, the brightest thing in the arena
 
@@ -105,7 +105,8 @@ void add_brew_of(const ArenaScene& arena_scene, const Picture& picture, std::uin
 }
 
 /// Adds lights around the rim in the colour of the brew's owner: a plain ring for one team, a zigzag for the
-/// other, so that the owner is recognised without the colour. The ring empties as the brew spoils.
+/// other, so that the owner is recognised without the colour. The ring empties as the time runs out after
+/// which the brew boils over.
 void add_owner(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     constexpr int lights = 30;
     constexpr float size = 0.05F;
@@ -181,7 +182,7 @@ void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::ui
     if (!sees_brew(arena_scene, picture, viewer)) add_bubbles(arena_scene, picture.played_s, out);
 }
 
-/// Adds steam as wisps that swell, drift apart and fade. A lighter brew has more of them.
+/// Adds steam as wisps that swell, drift apart and fade. The less dense the brew, the more there are.
 void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     if (!arena_scene.bowl) return;
     const double heat = picture.cauldron.there ? picture.cauldron.heat : 0;
@@ -201,7 +202,8 @@ void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vecto
 
 namespace {
 
-/// False if the brew is surely outside of a player's view. A dead player's view is not the wizard's.
+/// False if the brew is surely outside of a player's view. Always true for a dead player, whose view is not
+/// that of the wizard.
 bool may_see_brew(const BrewPlace& place, const PlayerPicture& p) {
     // A bound for the angle between the middle of a view and its corners (rad): 74 degrees for the largest
     // field of view, 130 degrees, in a flat half of a window of 21:9.

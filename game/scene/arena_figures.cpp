@@ -14,10 +14,10 @@ using render::Instance;
 namespace {
 
 constexpr double min_share = 0.02;      ///< smallest force that is drawn, as a share of the strongest force
-constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
+constexpr double ribbon_length = 0.25;  ///< length of the ribbon that shows a force, at the strongest one (m)
 /// Greatest shown displacement of a wand by its hand (m); beyond it hand and wand would leave the picture.
 constexpr double max_reach = 0.22;
-constexpr double max_lower = 0.06;  ///< greatest shown displacement downwards (m)
+constexpr double max_lower = 0.06;  ///< greatest shown displacement of a wand downwards (m)
 /// Growth of the glow at a wand's tip up to full charge: in the other player's view, and in the player's own
 /// view, where the glow is near and must not hide the target.
 constexpr double foe_growth = 3.5, own_growth = 1.2;
@@ -44,8 +44,9 @@ vec3 own_tip(const PlayerPicture& p) { return wand_tip + drawn_reach(p.wand.reac
 
 namespace {
 
-/// Rotation of the wand and the hand about the wand's tip, following the stylus (eye frame). The angle is
-/// limited, because at larger angles the hand would separate from the arm.
+/// Rotation of the wand and the hand about the wand's tip, following the stylus, the pen that the device's
+/// user holds (eye frame). The angle is limited, because at larger angles the hand would separate from the
+/// arm.
 fmat4 stylus_turned(const PlayerPicture& p) {
     constexpr double most = 0.7;  // largest angle that is drawn (rad)
     const vec3 by = limited(p.wand.turn, most);

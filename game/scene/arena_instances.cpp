@@ -126,7 +126,7 @@ void add_thing(const ArenaScene& arena_scene, const ThingPicture& thing, std::ve
         add(*kind, model, out);
     else
         add_unknown(arena_scene, thing, out);
-    // The tested point is 0.1 m above the position, because a flat thing lies inside the ground's block.
+    // Sunlight is tested 0.1 m above the position, because a flat thing lies inside the ground's block.
     set_sun(arena_scene, thing.position + vec3(0, 0.1, 0), std::span(out).subspan(first));
 }
 

@@ -42,7 +42,7 @@ struct ArenaScene {
     /// Ground to stand on: the top of a box or the slope of a ramp.
     struct Ground {
         vec3 low{}, high{};  ///< bounding box of the ground (m, world)
-        double height{};     ///< height in the middle (m)
+        double height{};     ///< height in the middle of the ground (m)
         double slope_x{}, slope_z{};
         double height_at(vec3 p) const;
     };
@@ -81,7 +81,7 @@ struct ArenaScene {
     double wizard_height{1.8};  ///< height of a wizard (m)
 };
 
-/// Uploads all meshes that the arena needs. The renderer's context must be current.
+/// Uploads all meshes that the arena needs. The renderer's OpenGL context must be current.
 ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data);
 
 /// Adds all instances that `viewer` sees: everything except the viewer's own figure, plus the viewer's own

@@ -37,7 +37,7 @@ Box box_of(const fluid::Lattice& lattice) {
     return {n(0), n(1), n(2)};
 }
 
-/// One column of cells.
+/// Data for drawing one vertical column of the fluid's cells.
 struct Column {
     float lift{};   ///< displacement of the surface above the column, in cells
     float light{};  ///< brightness, largest in the middle of the brew
@@ -160,7 +160,7 @@ SkinPoint node(const fluid::SpringSurface& surface, std::size_t x, std::size_t z
             static_cast<float>(std::abs(surface.velocity[fluid::surface_node_index(s, x, z)]))};
 }
 
-/// All nodes of the surface, row by row along x. Empty for a surface at rest.
+/// All nodes of the simulated surface's grid, row by row along x. Empty for a surface at rest.
 std::vector<SkinPoint> nodes_of(const fluid::SpringSurface& surface) {
     std::vector<SkinPoint> out;
     if (surface.asleep != 0 || surface.height.empty()) return out;
@@ -312,7 +312,7 @@ void make_skin_indices(std::vector<std::uint32_t>& out) {
 
 void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
                std::vector<render::SkinVertex>& out) {
-    // The skin extends a little into the wall, so that no gap shows.
+    // The drawn surface extends a little into the bowl's wall, so that no gap shows.
     const double drawn = 1.02 * surface_radius(place);
     const auto nodes = nodes_of(surface);
     const auto add = [&](vec2 from) {

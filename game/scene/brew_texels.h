@@ -19,14 +19,15 @@ void mix(const BrewColours& colours, const Rows& densities, Rows& out);
 
 inline constexpr float brew_brightest = 6;  ///< linear light of a texel with the largest value
 
-/// Fills texels, resized to the lattice's cells. Contents below the surface are displaced with it, less at
-/// greater depth.
+/// Fills the texels that show the brew, one for each cell of the fluid's lattice. Where the surface stands
+/// higher or lower, the contents below it are displaced, too, but less at greater depth.
 void make_texels(const BrewPicture& picture, const BrewPlace& place, std::vector<float>& scratch,
                  std::vector<render::Texel>& out);
 
-/// Triangles of the skin, in rings around the middle. They are the same for every state of the surface.
+/// Triangles of the skin, the mesh of the brew's surface, in rings around the middle. They are the same for
+/// every state of the surface.
 void make_skin_indices(std::vector<std::uint32_t>& out);
-/// Vertices of the skin (m, world).
+/// Vertices of the skin, the mesh of the brew's surface (m, world).
 void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
                std::vector<render::SkinVertex>& out);
 

@@ -17,12 +17,13 @@ constexpr double voxels_shown_m = 7;
 constexpr float mesh_glow = 0.5F;
 /// Light of the crystal: above 1, because a crystal also emits a little light.
 const fvec3 crystal_light(1.35F);
-/// Colours of matter inside and outside the key's shape, as the square root of the share of light.
+/// Colours of matter inside and outside the shape of the key that players carve from the crystal, as the
+/// square root of the share of light.
 constexpr field::Rgb8 right{96, 224, 246}, surplus{255, 150, 56};
-constexpr float at_key = 0.1F;         ///< density of the key's shape up to which matter counts as surplus
-constexpr float shell_opacity = 0.3F;  ///< opacity of one layer of the key's shell
-/// Densities between which the key's shell is drawn. The shell lies inside the key's surface, so that
-/// finished parts of the crystal hide it.
+constexpr float at_key = 0.1F;         ///< density of the wanted key up to which matter counts as surplus
+constexpr float shell_opacity = 0.3F;  ///< opacity of one layer of the shell that shows the wanted key
+/// Densities between which a faint shell shows the key that is to be carved. The shell lies inside the key's
+/// surface, so that finished parts of the crystal hide it.
 constexpr float shell_from = 0.55F, shell_to = 0.95F;
 
 void fill_key_table(render::ScanTable& table) {
@@ -33,7 +34,8 @@ void fill_key_table(render::ScanTable& table) {
     }
 }
 
-/// Creates the untouched crystal and the key's shape, and marks all bricks (blocks of voxels) as changed.
+/// Creates the untouched crystal and the shape of the key that players carve from it. Marks all bricks
+/// (blocks of voxels) as changed.
 void begin_crystal(const CrystalPicture& crystal, CrystalLook& look) {
     auto rough = std::make_shared<CrystalVoxels>();
     look.wanted = key_density(crystal.seed, side);
@@ -47,8 +49,8 @@ void begin_crystal(const CrystalPicture& crystal, CrystalLook& look) {
     ++look.key.version;
 }
 
-/// Colour of a voxel, combined with what the brush has painted: blue inside the key's shape and at its
-/// surface, amber outside.
+/// Colour of a voxel, combined with what the brush has painted: blue inside the key that is to be carved and
+/// at its surface, amber outside.
 field::Rgb8 colour_of(field::Rgb8 painted, float wanted) {
     const auto own = wanted >= at_key ? right : surplus;
     const auto part = [](std::uint8_t a, std::uint8_t b) {
@@ -57,15 +59,15 @@ field::Rgb8 colour_of(field::Rgb8 painted, float wanted) {
     return {part(painted.r, own.r), part(painted.g, own.g), part(painted.b, own.b)};
 }
 
-/// Whether two states of the crystal differ in one row of a brick.
+/// Whether two states of the crystal differ in one row of a brick (a block of voxels).
 bool differs(const CrystalVoxels& a, const CrystalVoxels& b, std::size_t from, std::size_t length) {
     const auto row = [&](const auto& all) { return std::span(all).subspan(from, length); };
     return !std::ranges::equal(row(a.density), row(b.density)) ||
            !std::ranges::equal(row(a.colour), row(b.colour));
 }
 
-/// Increments the version of each brick in which the crystal differs from what was shown, and repaints it.
-/// Returns the number of these bricks.
+/// Increments the version of each brick (block of voxels) in which the crystal differs from what was shown,
+/// and repaints it. Returns the number of these bricks.
 std::size_t follow(const CrystalVoxels& current, const CrystalVoxels* before, CrystalLook& look) {
     std::size_t changed = 0, brick = 0;
     const auto row_of = [](int x, int y, int z) {

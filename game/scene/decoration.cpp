@@ -38,7 +38,8 @@ fmat4 facing(const Wall& wall) {
     return render::rotated({0, 1, 0}, std::atan2(wall.inwards.x, wall.inwards.z));
 }
 
-/// Merlons are plain boxes, since no player comes near enough to see a bevel.
+/// Adds merlons, the teeth of a battlement. They are plain boxes, since no player comes near enough to see a
+/// bevel.
 void add_merlons(const Shade& shade, const Wall& wall, float top, render::Patchwork& out) {
     for (float at = 1 - wall.half; at < wall.half; at += 2.5F) {
         const fvec3 place = wall.middle + at * wall.along + fvec3(0, top + 0.5F, 0) - 0.5F * wall.inwards;

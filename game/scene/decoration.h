@@ -1,5 +1,6 @@
-// game/scene/decoration.h: decoration of an arena that its file asks for: merlons, pilasters and banners of
-// the four outer walls, lamps, and towers outside. All meshes are in the world frame.
+// game/scene/decoration.h: decoration of an arena that its file asks for: merlons (the teeth of a
+// battlement), pilasters and banners of the four outer walls, lamps, and towers outside. All meshes are in
+// the world frame.
 #pragma once
 #include "game/scene/baked_light.h"
 

@@ -318,7 +318,7 @@ FurnitureMesh start_plate(std::uint32_t team) {
 MeshData rune_circle(float radius) {
     const auto flat = rotated({1, 0, 0}, -quarter);
     const fvec3 ember = colour(0xD87028);
-    constexpr float above = 0.017F;  // height above the ground (m)
+    constexpr float above = 0.017F;  // height of the signs above the ground (m)
     MeshData mesh;
     append(mesh, render::flat_frame(28, radius, radius - 0.05F, ember), translated({0, above, 0}) * flat);
     append(mesh, render::flat_frame(28, radius + 0.75F, radius + 0.7F, ember),

@@ -1,5 +1,5 @@
-// The shape of the next stroke of a recipe, on the surface of the brew, at the size of the gesture's
-// template. A ball of light marks its start, and another one runs along the shape.
+// The shape of the next stroke of a recipe, on the surface of the brew, at the size of the stroke that was
+// recorded for the gesture. A ball of light marks its start, and another one runs along the shape.
 #include <cmath>
 
 #include "game/data/teams.h"
@@ -8,7 +8,7 @@
 namespace thaum::game::inline scene {
 namespace {
 
-constexpr double above = 0.06;  ///< height above the level of the brew (m)
+constexpr double above = 0.06;  ///< height of the shape above the level of the brew (m)
 constexpr double thick = 0.012;
 constexpr double period_s = 1.6;
 

@@ -15,10 +15,10 @@ using render::MeshData;
 
 constexpr double outside = 0.02;  // distance outside the arena's bounds from which on no player can be (m)
 
-/// A face to be covered with blocks: its corner, its two edges (u along the courses, v across them) and its
-/// normal.
+/// A face to be covered with blocks: its corner, its two edges (u along the courses, which are rows of
+/// blocks, v across them) and its normal.
 struct Face {
-    fvec3 corner;   // position of the corner (m)
+    fvec3 corner;   // position of the corner from which both edges run (m)
     fvec3 u, v, n;  // unit vectors along the two edges, and the normal
     float length_u{}, length_v{};
 };
@@ -142,8 +142,8 @@ bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     });
 }
 
-/// A block with edges that are seen from the side. From far away only its top is drawn, and the core that
-/// shows between the blocks looks like joints.
+/// A block with edges that are seen from the side. From far away only its top is drawn, and the core (the
+/// surface behind the blocks), which shows between them, looks like joints.
 render::Patch bevelled_block(const Face& face, const Stonework& work, const Cell& cell, fvec3 tone,
                              float sunk, bool topmost) {
     render::Patch patch{.full = {}, .detail = work.bevel};
@@ -223,9 +223,9 @@ void add_lit_patch(const Shade& shade, vec3 position, render::Patch patch, rende
 
 namespace {
 
-/// Adds the core behind the bevelled blocks of a face. It shows as joints between blocks that are drawn
-/// without bevels. The core is made in pieces, and is dark nearby and lighter far away. It also extends a
-/// little behind the blocks above that have no bevel.
+/// Adds the core, the surface behind the bevelled blocks of a face. It shows as joints between blocks that
+/// are drawn without bevels. The core is made in pieces, and is dark nearby and lighter far away. It also
+/// extends a little behind the blocks above that have no bevel.
 void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, Cell behind,
               render::Patchwork& out) {
     if (behind.u0 >= behind.u1) return;

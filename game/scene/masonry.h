@@ -15,7 +15,7 @@ void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& 
 void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid,
                       render::Patchwork& out);
 
-/// Bakes the light of a patch at its position and adds the patch.
+/// Bakes the light of a patch (one block or piece of decoration) at its position and adds the patch.
 void add_lit_patch(const Shade& shade, vec3 position, render::Patch patch, render::Patchwork& out);
 
 }  // namespace thaum::game::inline scene

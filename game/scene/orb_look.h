@@ -32,7 +32,7 @@ struct OrbLook {
     std::array<std::optional<vec3>, players>
         probe_seed{};                         ///< start of each probe's ribbon (m, frame of the orb)
     std::vector<field::StreamPoint> line;     ///< working memory for tracing flow lines
-    std::vector<render::MeshChange> changes;  ///< changed meshes, for Frame::changes
+    std::vector<render::MeshChange> changes;  ///< meshes that have changed, for the renderer (Frame::changes)
 
     OrbLook() = default;
     OrbLook(OrbLook&&) = default;

@@ -12,7 +12,7 @@ using render::rotated;
 using render::scaled;
 using render::translated;
 
-constexpr float height = 0.85F;  // height above the ground (m)
+constexpr float height = 0.85F;  // height of a power-up's shape above the ground (m)
 constexpr float ring_radius = 0.5F;
 constexpr float half_turn = 3.1415927F;
 

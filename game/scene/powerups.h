@@ -20,7 +20,7 @@ struct PowerUpMeshes {
     std::array<Kind, power_up_names.size()> kinds{};
 };
 
-/// Uploads the meshes. The renderer's context must be current.
+/// Uploads the meshes. The renderer's OpenGL context must be current.
 PowerUpMeshes make_power_up_meshes(render::Renderer& renderer);
 
 void add_power_ups(const PowerUpMeshes& meshes, const Picture& picture, vec3 eye,

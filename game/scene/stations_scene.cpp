@@ -29,8 +29,9 @@ const TipPicture* tip_of(const Picture& picture, std::uint32_t player) {
     return p.stations.carving.carves ? &p.stations.carving.tip : nullptr;
 }
 
-/// Colour and shape of a tool, by the effect that it would have at its position: green with a plus sign, red
-/// with a times sign, or white without a sign. So the effect is not shown by colour alone.
+/// Colour and shape of a tool, by its effect on how well the crystal would match its key: green with a plus
+/// sign (better), red with a times sign (worse), or white without a sign. So the effect is not shown by
+/// colour alone.
 struct WorthLook {
     fvec3 light{};
     double turn{};  ///< rotation of the sign in the view (rad)

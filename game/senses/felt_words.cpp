@@ -7,8 +7,8 @@
 namespace thaum::game::inline senses {
 namespace {
 
-/// Force above which a source of force on the hand is put into words, and the lower force down to which the
-/// words stay (N).
+/// Force on the hand above which its source is put into words, and the lower force down to which the words
+/// stay, so that they do not flicker (N).
 constexpr double told_from_n = 0.15, told_to_n = 0.08;
 /// Minimum time for which a force is described with the same side, so that words do not flicker while the
 /// force turns (ticks).

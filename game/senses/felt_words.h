@@ -20,7 +20,7 @@ struct ForceWords {
         words;
     std::string_view verb;  ///< verb for what the force does to the hand
 };
-/// Name and verb for each ForceSource.
+/// Name and verb for each source of force, in the order of ForceSource.
 inline constexpr std::array<ForceWords, force_sources> force_words{{{"wand", "kicks"},
                                                                     {"spring", "pulls"},
                                                                     {"", "pulls"},
@@ -37,11 +37,11 @@ HeardFrom side_of_force(vec3 newtons);
 /// Describes the forces on the hand of one player in words.
 class HandWords {
 public:
-    /// Adds lines about the forces in this frame.
+    /// Adds lines of words about the forces on the player's hand in this frame.
     void take(const Simulation& match, std::uint32_t player, HeardLines& lines);
 
 private:
-    /// A force that is being described.
+    /// A force on the hand that is being described in words.
     struct Told {
         bool on{};
         HeardFrom side{};

@@ -11,7 +11,7 @@
 
 namespace thaum::game::inline senses {
 
-/// Sounds, effects, and the layout of the body figure in the view.
+/// Sounds, effects on the body, and the layout (places of the motors) of the body figure in the view.
 struct SenseData {
     audio::SoundBank bank;
     tactile::EffectBank effects;
@@ -33,7 +33,7 @@ public:
     /// Adds a layout (places of the motors of a jacket or pad) for both players, and returns its number;
     /// number 0 is the figure in the view. Keeps a reference to the layout.
     std::size_t add(const tactile::Layout& layout);
-    /// Updates sounds and effects. Call this after each tick; only every eighth tick is used.
+    /// Computes what is heard and felt. Call this after each tick; only every eighth tick is used.
     void follow(const Simulation& match);
 
     const SenseData& data() const { return *data_; }
@@ -61,7 +61,7 @@ private:
     std::array<std::unique_ptr<TactileScene>, players> scenes_{};
     std::array<HandWords, players> hands_{};
     std::array<HeardLines, players> lines_{};
-    /// Value of Simulation::now when any cell was last active; 0: never.
+    /// tick (Simulation::now) at which any cell of the figure was last active; 0: never
     std::array<Tick, players> felt_at_{};
     Tick now_{};
 };

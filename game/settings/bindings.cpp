@@ -59,8 +59,8 @@ bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
 bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
 
 /// Tests whether two actions may have the same control. Two players may share the emergency key (panic), the
-/// pause or the confirmation. A key of the session may be that of a player for the same purpose. Actions that
-/// never work at the same time may also share a control.
+/// pause or the confirmation. A session key, which works for both players, may also be a player's key for the
+/// same purpose. Actions that never work at the same time may also share a control.
 bool may_share(Slot a, Slot b) {
     const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
     if (hands && a.action == b.action)
@@ -72,8 +72,8 @@ bool may_share(Slot a, Slot b) {
     return acts_after_round(a) != acts_after_round(b) && !acts_always(a) && !acts_always(b);
 }
 
-/// Tests whether two slots must not have the same control. Two pads belong to two people, so a control on the
-/// sheet of pads never conflicts with one on another sheet.
+/// Tests whether two actions must not have the same control. Two pads belong to two people, so a control on
+/// the sheet of pads (their bindings) never conflicts with one on another sheet.
 bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.sheet) && !may_share(a, b); }
 
 constexpr std::array<std::string_view, 5> mouse_button_labels{

@@ -9,8 +9,8 @@
 
 namespace thaum::game::inline settings {
 
-/// One action on one sheet of bindings. Sheets 0 to 2 are those of settings_hands; sheet 3 has the keys of
-/// the session.
+/// One action on one sheet of bindings. Sheets 0 to 2 belong to the kinds of device in settings_hands; sheet
+/// 3 has the keys of the session, such as the pause, whatever devices the players use.
 struct Slot {
     std::size_t sheet{}, action{};
     bool operator==(const Slot&) const = default;
@@ -21,7 +21,8 @@ inline constexpr std::size_t session_sheet = settings_hands.size();
 std::size_t size_of_sheet(std::size_t sheet);
 bool is_pad_sheet(std::size_t sheet);
 
-/// Display names of the wands by slot: "Bolt". Empty: no wand has the slot.
+/// Display names of the wands, such as "Bolt", by the number of the wand's slot, from 0. Empty: no wand has
+/// the slot.
 using WandNames = std::array<std::string, input::max_wands>;
 
 /// Tests whether the page of controls lists the action. Other actions have no control by default and no
@@ -32,12 +33,13 @@ bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
 /// Tests whether a control can be bound to the action: a control of the sheet's kind of device, or on the
-/// session's sheet a key. Steps of the wheel cannot be bound to the actions that they always do.
+/// session's sheet a key. Steps of the wheel always move a held thing nearer or farther, so they cannot also
+/// be bound to that.
 bool fits(Slot slot, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);
 
-/// Makes `control` the only control of the slot. Removes it from every action that works at the same time,
+/// Makes `control` the only control of an action. Removes it from every action that works at the same time,
 /// and returns those actions.
 std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& control);
 

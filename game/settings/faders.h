@@ -40,7 +40,7 @@ Faders read_faders(const ConfigTable& table, Faders faders);
 /// Value of the key `off` in the settings file: the names of the sources that are off.
 std::string off_words(const Faders& faders);
 
-/// Writes the faders into the DeviceSpec that is stored in the log's header.
+/// Writes the faders into the DeviceSpec that is stored in the header of the match's log.
 void ask_for(const Faders& faders, input::DeviceSpec& device);
 
 }  // namespace thaum::game::inline settings

@@ -14,14 +14,14 @@
 
 namespace thaum::game::inline settings {
 
-/// What became of a gesture that the player has recorded on the range.
+/// What became of a gesture that the player has recorded on the practice range.
 enum class Verdict : std::uint8_t {
     none,    ///< nothing was recorded
     kept,    ///< accepted, and used from now on
-    refused  ///< the player may draw it again
+    refused  ///< not accepted; the player may draw it again
 };
 
-/// Recorded gestures with which the range continues, and a message for its player.
+/// Recorded gestures with which the practice range continues, and a message for its player.
 struct OwnGestures {
     std::vector<input::ProfileData> profile{};
     std::vector<std::string> words{};

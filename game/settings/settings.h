@@ -166,7 +166,7 @@ struct ChoiceOf {
     void (*set)(Of&, std::size_t){};
 };
 /// Page of the menu on which a setting is. Settings of one player are on that player's page or on the
-/// mixer's.
+/// mixer's, the page for the strengths of what the player feels.
 enum class SettingPage : std::uint8_t { main, sound, mixer };
 template <class Of>
 struct SettingOf {

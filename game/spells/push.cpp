@@ -15,13 +15,13 @@ namespace {
 struct PushData {
     double reach{};          ///< length of the cone (m)
     double narrowest_cos{};  ///< cosine of the largest angle off the cone's axis (half its opening angle)
-    double speed{};          ///< speed given to a wizard (m/s)
-    double impulse{};        ///< impulse given to a thing (N s)
-    double fastest{};        ///< largest speed that a thing gains (m/s)
+    double speed{};          ///< speed that the push gives to a wizard (m/s)
+    double impulse{};        ///< impulse that the push gives to a thing (N s)
+    double fastest{};        ///< largest speed that a thing gains by the push (m/s)
     double lift{};           ///< minimum upward component of the direction in which a thing is pushed
 };
 
-/// A body that the cone reaches.
+/// A body that the cone of the push reaches.
 struct Reached {
     vec3 way{};    ///< direction from the eye to the body's middle (unit)
     vec3 point{};  ///< nearest point of the body's surface in the direction `way` (m, world)
@@ -86,7 +86,7 @@ ecs::Entity thing_in_hand(const MatchContext& context, ecs::Entity wizard) {
 
 /// Share of the reach within which a bot casts, since the foe moves while the stroke is drawn.
 constexpr double well_within = 0.9;
-constexpr double close = 2.5;  ///< distance below which a bot wants its foe farther away (m)
+constexpr double close = 2.5;  ///< distance below which a bot wants its foe farther away, so pushes (m)
 
 class PushSpell final : public SpellRules {
 public:

@@ -18,7 +18,7 @@ struct RecallData {
     double speed{};         ///< largest speed of the thing's flight (m/s)
     double acceleration{};  ///< largest acceleration of the thing (m/s^2)
     double before{};        ///< distance from the eye to the nearest point of a thing that has arrived (m)
-    double aside{};         ///< speed that a harsh recall gives to obstacles (m/s)
+    double aside{};         ///< speed that a harsh recall gives to things in the way (m/s)
     Tick gives_up{};        ///< number of ticks after which a thing that has not arrived falls
 };
 
@@ -86,7 +86,7 @@ vec3 wanted_velocity(const physics::Physics& physics, const RecallData& data, co
     return turned * std::min(data.speed * recalled.strength, braking);
 }
 
-/// Shoves a body that the thing touches, so that the body moves on at least as fast as `data.aside`.
+/// Shoves a body that the flying thing touches, so that the body moves on at least as fast as `data.aside`.
 void shove_aside(MatchContext& context, const RecallData& data, ecs::Entity body, vec3 way,
                  std::uint32_t player, Tick tick) {
     auto& world = context.world;
@@ -178,7 +178,8 @@ bool fly(MatchContext& context, const RecallData& data, ecs::Entity wizard, cons
     return true;
 }
 
-/// Components that the flight writes, and those that a wand writes in catching the thing.
+/// Components that the flight of a recalled thing writes, and those that a wand writes when it catches the
+/// thing.
 ecs::Mask writes_of_flight(const MatchContext& context) {
     const auto& world = context.world;
     auto all = world.mask<Recalled, Prop, Stance, Health, WandBelt, EventLog, resource::Journal,

@@ -24,13 +24,13 @@ struct BlastData {
     GrowingValue energy, damage, speed;
     double radius{};  ///< radius of the ball (m)
     Tick life{};
-    double splash{};       ///< share of the damage that a burst does to bodies not struck directly
-    GrowingValue reach;    ///< radius of the burst (m)
-    GrowingValue impulse;  ///< impulse of the burst at distance zero (N s)
+    double splash{};       ///< share of the damage that the explosion does to bodies not struck directly
+    GrowingValue reach;    ///< radius of the explosion (m), as a function of the charge
+    GrowingValue impulse;  ///< impulse of the explosion at distance zero (N s), as a function of the charge
     double fastest{};
-    double recoil{};  ///< peak of the recoil at full charge (N)
+    double recoil{};  ///< peak force of the recoil at full charge (N)
     Tick recoil_length{};
-    EventKind hit{};  ///< kind of event of the wand's hits
+    EventKind hit{};  ///< kind of event as which the wand's hits are recorded
 };
 
 /// A ball of fire in flight.
@@ -50,7 +50,7 @@ struct Blast {
 /// State of the blast wand in a wizard's hand.
 struct BlastHand {
     double charge{};      ///< charge of the wand, 0 to 1
-    double affordable{};  ///< charge that the remaining energy can pay for
+    double affordable{};  ///< largest charge that the remaining energy can pay for
     double leaning{};     ///< charge before the shot, whose steady force on the hand still fades; 0: none
     Tick began{};
     Tick went_off{};           ///< tick of the last shot, at which the recoil began
@@ -123,7 +123,8 @@ void stop_charging(const WandUse& use) {
     let_go(use.context, use.wizard);
 }
 
-/// Reduces the steady force in proportion to how far the recoil has risen, until the recoil's peak.
+/// After the shot, reduces the steady force in proportion to how far the recoil has risen, until the recoil's
+/// peak, so that their sum never exceeds the greater of the two.
 void give_way(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.leaning == 0) return;
     const auto at = static_cast<std::uint32_t>(tick - hand.went_off);

@@ -21,10 +21,10 @@ struct BoltData {
     double speed{};   ///< speed of a bolt (m/s)
     double spread{};  ///< half the opening angle of the random spread (rad)
     Tick life{};
-    double impulse{};  ///< impulse of a hit (N s)
-    double recoil{};   ///< peak of the recoil (N)
+    double impulse{};  ///< impulse that a hit gives to a body (N s)
+    double recoil{};   ///< peak force of the recoil (N)
     Tick recoil_length{};
-    EventKind hit{};  ///< kind of event of the wand's hits
+    EventKind hit{};  ///< kind of event as which the wand's hits are recorded
 };
 
 /// A bolt in flight.
@@ -92,7 +92,8 @@ void fire(const WandUse& use, const BoltData& data) {
         if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
-    // The rate of shots is exact on average, although this function only runs in gameplay ticks.
+    // Shots are possible only in gameplay ticks (every eighth), so the time of the next shot follows from
+    // when the last one was due, not from when it was made. The rate is then exact on average.
     hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
     shoot(use, data);
 }

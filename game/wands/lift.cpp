@@ -23,9 +23,12 @@ using input::Button;
 
 struct LiftData {
     double energy_per_use{},
-        energy_per_impulse{};    ///< energy per gameplay tick of holding, energy per impulse (1/(N s))
-    double range{}, max_mass{};  ///< reach from the eye (m), largest mass (kg)
-    /// Stiffness (N/m), damping (N s/m), drag as a share of critical damping.
+        energy_per_impulse{};    ///< energy that a gameplay tick of holding costs, energy that an impulse
+                                 ///< costs (1/(N s))
+    double range{}, max_mass{};  ///< reach of the wand from the eye (m), largest mass of a thing that it
+                                 ///< lifts (kg)
+    /// Stiffness (N/m) and damping (N s/m) of the spring between hand and thing; drag on the thing, as a
+    /// share of critical damping.
     double stiffness{}, damping{}, drag_ratio{};
     /// Distance between hand and thing beyond which the wand loses the thing (m).
     double lost{};
@@ -42,10 +45,9 @@ struct LiftData {
     double wheel{};  ///< distance by which a wheel step moves the thing (m, world)
     Tick caught{};   ///< time for which a thing that flew to the hand is held without fire (ticks)
     double metres_per_metre{}, finest{};
-    double felt_stiffness{};  ///< stiffness felt at the device (N/m)
+    double felt_stiffness{};  ///< stiffness of the spring as felt at the device (N/m)
     double weight{};          ///< force felt per mass, which is the felt share of the weight (N/kg)
-    /// Kick of the hand per impulse of a blow on the held thing (N/(N s)), and smallest impulse that is felt
-    /// (N s).
+    /// Kick of the hand per impulse of a blow on the thing (N/(N s)); smallest impulse that is felt (N s).
     double blow{}, min_blow{};
     double throw_speed{}, recoil{};  ///< largest speed of a throw (m/s), peak of its recoil (N)
     Tick recoil_length{};
@@ -60,9 +62,11 @@ struct LiftHand {
     vec3 taken_object{};  ///< P_obj0: position of the thing when it was taken up (m, wizard's frame)
     /// P_device0: position of the device when the thing was taken up (m, device frame)
     vec3 taken_device{};
-    vec3 hip{};            ///< P_HIP: the hand's point after the last tick (m, world)
-    vec3 base{};           ///< the hand's point without the device's own displacement (m, world)
-    vec3 base_velocity{};  ///< velocity of `base` (m/s, world)
+    vec3 hip{};            ///< P_HIP: place of the hand in the world (haptic interface point) after the last
+                           ///< tick (m)
+    vec3 base{};           ///< place of the hand in the world without the device's own displacement (m)
+    vec3 base_velocity{};  ///< velocity of `base`, the hand's point without the device's own displacement
+                           ///< (m/s, world)
     WandCoupling coupling{};
     double metres_per_metre{};
     double impulse{};  ///< impulse of the spring that has not been paid for with energy yet (N s)
@@ -74,8 +78,8 @@ struct LiftHand {
 };
 
 constexpr Tick between_blows = 40;  ///< minimum time between two felt blows on the held thing (ticks)
-constexpr Tick blow_length = 20;    ///< duration of the kick (ticks)
-constexpr double blow_force = 2.5;  ///< largest force of the kick (N)
+constexpr Tick blow_length = 20;    ///< duration of the kick by which a blow is felt (ticks)
+constexpr double blow_force = 2.5;  ///< largest force of the kick by which a blow is felt (N)
 /// Distance from the eye at which a throw's path crosses the line of sight (m)
 constexpr double throw_reach = 20;
 
@@ -367,7 +371,7 @@ void feel_blow(MatchContext& context, const LiftData& data, const haptics::Coupl
     if (share > 0) kick(context, wizard, way * (share * std::min(blow_force, data.blow * size)), blow_length);
 }
 
-/// The spring that the hand feels until the next tick.
+/// The spring between hand and thing that the device feels until the next tick.
 haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& frame, const LiftHand& hand,
                           vec3 device, vec3 object, vec3 object_velocity, vec3 base_velocity) {
     return {.anchor = device - haptics::to_device(frame, hand.hip - object) / frame.metres_per_metre,
@@ -394,8 +398,8 @@ vec3 held_back(vec3 velocity, vec3 blow) {
     return way * std::clamp(-glm::dot(velocity, way), 0.0, size);
 }
 
-/// Motion of the hand's point, and of its base, which is the point without the device's own displacement
-/// (world).
+/// Motion of the hand's point in the world, and of its base, which is the point without the device's own
+/// displacement.
 struct HandMotion {
     vec3 hip{}, base{};                    ///< positions of the hand's point and of its base (m)
     vec3 hip_velocity{}, base_velocity{};  ///< velocities of the hand's point and of its base (m/s)
@@ -454,8 +458,8 @@ void feel_weight(MatchContext& context, const LiftData& data, ecs::Entity wizard
     set_steady_force(context, wizard, vec3(0, -data.weight * share * mass, 0));
 }
 
-/// One tick of holding: spring and thing act on each other, and the hand feels the spring until the next
-/// tick.
+/// One tick of holding: the spring pulls hand and thing towards each other, and the hand feels it until the
+/// next tick.
 void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
     const auto key = hand.held.index;
     auto& physics = context.physics.write();

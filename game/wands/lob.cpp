@@ -27,8 +27,9 @@ constexpr double clear_of = 1e-5;  ///< distance at which the stone is put from 
 constexpr double min_bounce = 0.3;  ///< speed of impact below which the stone does not bounce (m/s)
 
 struct LobData {
-    vec3 axis{};  ///< direction of the draw (unit, device frame)
-    /// Full draw, smallest draw that throws, and range of the simulated hand (m).
+    vec3 axis{};  ///< direction in which the hand draws the sling (unit, device frame)
+    /// Displacements of the hand (m): at full draw, smallest that throws a stone, and farthest of the
+    /// simulated hand.
     double full{}, least{}, travel{};
     /// Displacement of the hand per tick while drawing and while returning (m).
     double step{}, return_step{};
@@ -40,7 +41,7 @@ struct LobData {
     Tick fuse{};
     double bounce{}, drag{};
     double damage{}, reach{}, impulse{}, fastest{};
-    EventKind hit{};  ///< kind of event of the wand's hits
+    EventKind hit{};  ///< kind of event as which the wand's hits are recorded
 };
 
 /// A stone in flight, or at rest until the end of its fuse.
@@ -51,16 +52,16 @@ struct Lob {
     std::uint32_t player{};
     std::uint32_t shooter{};  ///< handle of the shooter's body in the physics
     double venom{};           ///< harm rate that a potion adds for those whom the stone hits (HP/s)
-    Tick venom_lasts{};       ///< duration of the potion's harm (ticks)
+    Tick venom_lasts{};       ///< duration of the harm that the potion adds (ticks)
     THAUM_COMPONENT(Lob, position, velocity, bursts_at, player, shooter, venom, venom_lasts);
 };
 
 /// State of the lob wand in a wizard's hand.
 struct LobHand {
     vec3 anchor{};            ///< hand position at which the draw began (m, device frame)
-    double target{};          ///< displacement of the simulated hand along the axis (m)
-    double drawn{};           ///< measured draw as a share of a full draw
-    std::uint32_t drawing{};  ///< 1 while fire is held
+    double target{};          ///< displacement to which the simulated hand moves along the sling's axis (m)
+    double drawn{};           ///< draw that the device measured, as a share of a full draw
+    std::uint32_t drawing{};  ///< 1 while fire is held and the sling is drawn
     std::uint32_t spare{};
     THAUM_COMPONENT(LobHand, anchor, target, drawn, drawing, spare);
 };
@@ -158,8 +159,8 @@ void fire(const WandUse& use, const LobData& data) {
     if (drawn * data.full >= data.least && spend(belt, use.stats, data.energy)) shoot(use, data, drawn);
 }
 
-/// Target displacement of the hand (m): given by the trigger while fire is held, zero after the draw. Between
-/// the release and the next gameplay tick the target does not change.
+/// Displacement (m) to which the hand should move: given by the trigger while fire is held, zero after the
+/// draw. Between the release and the next gameplay tick it does not change.
 double wanted_target(const LobData& data, const Controls& controls, const LobHand& hand) {
     if (hand.drawing == 0) return 0;
     const bool held = (controls.held & input::bit(input::Button::fire)) != 0;

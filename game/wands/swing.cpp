@@ -19,8 +19,9 @@ struct SwingData {
     double energy_per_use{};  ///< energy that holding the rope costs per gameplay tick
     /// Reach from the eye (m), final length as a share of the initial one, reeling speed (m per tick).
     double reach{}, rest_share{}, reel{};
-    double stiffness{}, damping_ratio{};  ///< stiffness (N/m), damping as a share of critical damping
-    double max_tension{};                 ///< largest tension (N); beyond it the rope slips
+    double stiffness{}, damping_ratio{};  ///< stiffness of the rope (N/m), its damping as a share of critical
+                                          ///< damping
+    double max_tension{};                 ///< largest tension of the rope (N); beyond it the rope slips
     /// Cosine of the largest angle between the crosshair and an anchor, a point in the arena for ropes.
     double aim_cos{};
     double metres_per_metre{}, newtons_per_newton{};
@@ -31,10 +32,10 @@ struct SwingData {
 struct SwingHand {
     vec3 anchor{};         ///< position of the rope's fixed end (m, world)
     vec3 taken_device{};   ///< position of the device when the rope was attached (m, device frame)
-    double length{};       ///< unstretched length of the rope without the hand's pull (m); 0: no rope
-    double rest_length{};  ///< length at which reeling in ends (m)
-    double pulled{};       ///< length by which the hand has shortened the rope (m)
-    double tension{};      ///< mean tension over the last tick (N)
+    double length{};       ///< length of the slack rope before `pulled` is subtracted (m); 0: no rope
+    double rest_length{};  ///< value of `length` at which reeling in ends (m)
+    double pulled{};       ///< length by which the hand, pulling, has shortened the rope (m)
+    double tension{};      ///< mean tension of the rope over the last tick (N)
     WandCoupling coupling{};
     THAUM_COMPONENT(SwingHand, anchor, taken_device, length, rest_length, pulled, tension, coupling);
 };
@@ -81,8 +82,8 @@ std::optional<Hold> latched_at(const MatchContext& context, const SwingData& dat
         const double nearness = glm::dot(to / distance, ahead);
         if (nearness < best) return;
         const auto hit = context.physics.read().ray(eye, motion.position, layer::ground, wizard.index);
-        // What the ray hits first is an obstacle, unless it is the anchor itself, which is in the ground
-        // layer, too.
+        // What the ray hits first is an obstacle between wizard and anchor, unless it is the anchor itself,
+        // which is in the ground layer, too.
         if (hit && hit->key != e.index) return;
         best = nearness;
         found = Hold{motion.position, e};
@@ -132,7 +133,7 @@ void fire(const WandUse& use, const SwingData& data) {
 
 // ---- every tick -------------------------------------------------------------------------------------------
 
-/// Force of the rope on the hand (N, device frame), limited to max_force.
+/// Force of the rope on the hand (N, device frame), limited to the wand's largest force.
 vec3 felt(const MatchContext& context, const SwingData& data, ecs::Entity wizard, vec3 way, double tension) {
     const auto& gaze = std::as_const(context.world).get<Gaze>(wizard);
     const double size = std::min(data.max_force, data.newtons_per_newton * tension);

@@ -7,8 +7,8 @@ vec3 coupled_velocity(const physics::Physics& physics, physics::Key body, const 
 }
 
 // The physics moves a free body by v0 dt + g dt^2/2, so the velocity v0 is chosen to give exactly the
-// displacement of `result`. The velocity at the end, v0 + g dt, may then differ from the wanted one. The body
-// gets the difference (`owed`) in the next step.
+// displacement of `result`. The velocity at the end, v0 + g dt, may then differ from that of `result`. The
+// body gets the difference (`owed`) in the next step.
 void apply_coupling(physics::Physics& physics, physics::Key body, const haptics::CouplingResult& result,
                     double dt, WandCoupling& coupling) {
     const auto& state = physics.state(body);

@@ -16,12 +16,14 @@ namespace thaum::game::inline wands {
 
 /// State of a wand coupling between two steps.
 struct WandCoupling {
-    vec3 owed{};      ///< difference between exact and given velocity, to be added in the next step (m/s)
+    vec3 owed{};      ///< difference between exact and given velocity at the end of the last step, which the
+                      ///< body gets in the next one (m/s)
     vec3 expected{};  ///< velocity of the body after the step if nothing else acts on it (m/s)
     THAUM_FIELDS(WandCoupling, owed, expected);
 };
 
-/// Exact velocity of the body: its present velocity plus `owed` (m/s).
+/// Exact velocity of the body: its present velocity plus the part that the last step could not give (`owed`)
+/// (m/s).
 vec3 coupled_velocity(const physics::Physics& physics, physics::Key body, const WandCoupling& coupling);
 
 /// Gives the body the impulse with which a free body follows `result` over the coming step of dt seconds.

@@ -64,8 +64,8 @@ TEST(AudioSynth, PartialsHaveTheirRatiosLevelsAndDecays) {
     const auto second = [&](double s) { return std::abs(wave_at(sound, 1350, s, 0.04)); };
     EXPECT_NEAR(frequency_at(sound, 1350, 0.1), 1350, 0.01);
     EXPECT_NEAR(std::log(second(0.05) / second(0.2)), std::log(1000.0) * 0.15 / 0.25, 5e-3);
-    // Both waves begin their decay after the attack of 2 ms. Through a window of 40 ms, an exponential decay
-    // with rate r has its value in the middle times sinh(x)/x / (1 + (x/pi)^2), where x = r * 20 ms.
+    // Both waves rise for 2 ms before they decay. Through a window of 40 ms, an exponential decay with rate r
+    // has its value in the middle times sinh(x)/x / (1 + (x/pi)^2), where x = r * 20 ms.
     const auto seen = [](double r) {
         const double x = r * 0.02;
         return std::sinh(x) / x / (1 + x * x / (pi * pi));

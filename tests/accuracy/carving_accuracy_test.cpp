@@ -139,7 +139,8 @@ TEST(CarvingAccuracy, AMixedColourDependsOnTheTimeNotOnTheNumberOfEdits) {
     const auto mean_red = [](int edits) {
         Voxels body = block({16, 16, 16}, 1);
         std::ranges::fill(body.colour, Rgb8{0, 0, 0});
-        Tool tool = density_filter(30, 0, 1);  // a weight close to 1 everywhere, so the exact result is known
+        // A weight of almost 1 in the whole body, so the exact result is known.
+        Tool tool = density_filter(30, 0, 1);
         tool.operations[0].changes = {.colour = true};
         tool.operations[0].colour = {200, 0, 0};
         for (int i = 0; i < edits; ++i) {
@@ -207,7 +208,7 @@ TEST(CarvingAccuracy, ARadiusInMetresIsASphereAlsoWithUnequalSpacings) {
     Extent extent = round_extent(ExtentShape::sphere, 0.05);
     extent.in_metres = true;
     const Edit e = edit(body.view(), density_constant(extent, 0), {});
-    // The tool fades out beyond its radius, which adds 1 %
+    // The tool fades out beyond its radius, which adds 1 % to the removed volume.
     EXPECT_NEAR(e.removed / (4 * pi / 3 * 0.05 * 0.05 * 0.05), 1.01, 0.002);
     extent.in_metres = false;
     extent.half = vec3(10);
@@ -222,7 +223,8 @@ TEST(CarvingAccuracy, DensitiesOfAScanKeepTheirUnit) {
     body.full = 3000;
     const vec3 place = place_of(body, {8, 8, 8});
     edit(body.view(), density_filter(5, 0, 1), {.place = place, .seconds = std::log(2.0)});
-    EXPECT_NEAR(body.density[body.view().at(8, 8, 8)], 0, 1e-3);  // expected: half-way from 1000 to -1000
+    // Expected density: half-way from 1000 to -1000.
+    EXPECT_NEAR(body.density[body.view().at(8, 8, 8)], 0, 1e-3);
     edit(body.view(), density_constant(round_extent(ExtentShape::sphere, 3), 0.5), {.place = place});
     EXPECT_EQ(body.density[body.view().at(8, 8, 8)], 1000);
     EXPECT_EQ(body.density[0], 1000);

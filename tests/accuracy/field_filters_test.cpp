@@ -23,7 +23,7 @@ vec3 place_within(Random& random, double half) {
     return {random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half)};
 }
 
-/// A filter's input that is given by a formula, in a box of 2 m.
+/// A field given by a formula, as the input of a filter, in a box of 2 m.
 FilterSource formula(AnyField field, double spacing) {
     const int n = static_cast<int>(2 / spacing) + 1;
     return {.field = field, .count = {n, n, n}, .spacing = vec3(spacing)};
@@ -31,7 +31,8 @@ FilterSource formula(AnyField field, double spacing) {
 FilterSource of_gyroid(double spacing) { return formula({field_of<Scalar>(wavy), {}}, spacing); }
 FilterSource of_beltrami(double spacing) { return formula({{}, field_of<Vector>(twist)}, spacing); }
 
-/// Samples of a filter's input that is given by a formula, with a different spacing along each axis.
+/// Samples of a field that a formula gives, as the input of a filter, with a different spacing along each
+/// axis.
 struct SampledSource {
     Volume volume;
     Grid grid;
@@ -64,7 +65,7 @@ void put(FilteredField& out, const FilterSource& source, std::initializer_list<F
     ASSERT_TRUE(set) << set.error().message;
 }
 
-// ---- formulas ---------------------------------------------------------------------------------------------
+// ---- filters of formulas ----------------------------------------------------------------------------------
 
 TEST(Filters, WithoutFiltersTheSourceIsRead) {
     FilteredField f;
@@ -157,7 +158,7 @@ TEST(Filters, QuickValuesAreTheValues) {
     }
 }
 
-// ---- samples ----------------------------------------------------------------------------------------------
+// ---- filters of samples -----------------------------------------------------------------------------------
 
 /// Root mean square error of the curl's length and of its gradient, from samples `spacing` apart.
 std::array<double, 2> sampled_errors(double spacing, Kernel kernel) {
@@ -206,7 +207,7 @@ TEST(Filters, ThePlacesAtTheEdgeAndBeyondAreFinite) {
     EXPECT_EQ(f.field.scalar({nowhere, 0, 0}).value, 0);
 }
 
-// ---- smoothing --------------------------------------------------------------------------------------------
+// ---- smoothing of samples ---------------------------------------------------------------------------------
 
 /// Smooths a sample along one axis by the definition of the sum, adding in the same order.
 float smoothed_sample(const Volume& v, std::array<int, 3> at, int axis, int component,
@@ -330,7 +331,7 @@ TEST(Filters, AVectorIsSmoothedInEachComponent) {
     EXPECT_LT(damped(h.x), 0.95) << "so that the test sees the damping";
 }
 
-// ---- wrong chains -----------------------------------------------------------------------------------------
+// ---- chains of filters that do not fit together -----------------------------------------------------------
 
 TEST(Filters, ChainsThatDoNotFitAreRefusedAndChangeNothing) {
     FilteredField f;

@@ -59,10 +59,10 @@ constexpr std::array extra_forms{ExtraForm{"", 1, 1},          ExtraForm{"time",
                                  ExtraForm{"RGB-color", 3, 1}, ExtraForm{"vector", 3, 3},
                                  ExtraForm{"3-vector", 3, 3},  ExtraForm{"covariant-vector", 3, 3}};
 
-/// The contents of a file, and how they are written.
+/// The contents of a random NRRD file, and the form in which they are written.
 struct Case {
     const TypeForm* type{};
-    const SpaceForm* space{};  ///< null: the file names no space
+    const SpaceForm* space{};  ///< null: the file names no space (the frame of its coordinates)
     const UnitForm* unit{};
     const ExtraForm* extra{};
     int extra_size = 1, frame = 0;
@@ -118,8 +118,8 @@ std::string by_axis(const Case& c, const std::array<std::string, 3>& of_space, s
     return out;
 }
 
-/// Draws three axes at right angles, each along one coordinate axis; in some cases two of them are rotated by
-/// the angle of a 3-4-5 triangle.
+/// Draws three axes at right angles, each along one coordinate axis. In some cases two of them are rotated by
+/// the angle of a 3-4-5 triangle, whose sine and cosine are the short decimals 0.6 and 0.8.
 void draw_directions(Random& random, bool turned, Case& c) {
     std::array<int, 3> order{0, 1, 2};
     if (turned)
@@ -200,7 +200,7 @@ Case draw_case(Random& random) {
     return c;
 }
 
-/// Samples number `from` to `to`, encoded as in the file.
+/// The samples from number `from` to number `to`, encoded as the file has them.
 std::string samples_of(const Case& c, std::string_view encoding, std::size_t from, std::size_t to) {
     std::string out;
     for (std::size_t i = from; i < to; ++i) {

@@ -92,7 +92,7 @@ struct Errors {
     double value{}, gradient{};
 };
 
-/// Root mean square errors over the unit box.
+/// Root mean square errors of value and gradient between samples, n intervals a side, over the unit box.
 Errors errors_of(int n, Kernel kernel) {
     const Stored s =
         stored({n + 1, n + 1, n + 1}, {}, vec3(1.0 / n), kernel, [](vec3 p) { return wave(p).value; });
@@ -235,7 +235,7 @@ TEST(Field, OneSampleIsAConstantAndTwoALine) {
     }
 }
 
-// ---- vectors ----------------------------------------------------------------------------------------------
+// ---- fields of vectors ------------------------------------------------------------------------------------
 
 /// Rigid rotation plus stretching. Its curl is (2, -4, 6) and its divergence 0.75.
 struct Whirl {

@@ -53,7 +53,7 @@ std::vector<NamedVector> vectors() {
             {"orb", field_of<Vector>(orb)}};
 }
 
-// ---- formulas ---------------------------------------------------------------------------------------------
+// ---- fields given by formulas -----------------------------------------------------------------------------
 
 TEST(AnalyticField, GradientsAreTheValues) {
     Random random = random_stream(1, 1);
@@ -64,7 +64,8 @@ TEST(AnalyticField, GradientsAreTheValues) {
             vec3 step(0);
             step[axis] = h;
             for (const auto& [name, field] : scalars()) {
-                if (glm::length(place - sphere.middle) < 0.05) continue;  // no gradient at the centre
+                // Skipped: no gradient at the centre.
+                if (glm::length(place - sphere.middle) < 0.05) continue;
                 const double slope = (field(place + step).value - field(place - step).value) / (2 * h);
                 EXPECT_NEAR(field(place).gradient[axis], slope, 1e-6) << name;
             }
@@ -108,7 +109,7 @@ TEST(AnalyticField, SurfacesAreWhereTheyShouldBe) {
     EXPECT_NEAR(gyroid(gyroid.phase).value, 0, 1e-15);
 }
 
-// ---- samples ----------------------------------------------------------------------------------------------
+// ---- fields given by samples ------------------------------------------------------------------------------
 
 struct VolumeErrors {
     double value{}, gradient{}, curl{};  ///< root mean square errors of the value, its gradient and the curl
@@ -194,7 +195,7 @@ TEST(SampledVolume, ValuesGradientsAndCurlsConvergeInTheOrdersOfTheKernels) {
     }
 }
 
-// ---- placements -------------------------------------------------------------------------------------------
+// ---- placements of fields in a parent frame ---------------------------------------------------------------
 
 void expect_same(const Scalar& a, const Scalar& b, double tolerance) {
     EXPECT_NEAR(a.value, b.value, tolerance);

@@ -14,7 +14,7 @@ using flows::Scheme;
 
 constexpr Scheme fourth{Solver::thaum, 4}, second{Solver::thaum, 2}, stam{Solver::classic};
 
-/// Bounds for the relative error of the drifting vortex after 1 s, in 16^3 and 32^3 cells.
+/// Largest relative errors allowed for a vortex that drifts for 1 s, in 16^3 and in 32^3 cells.
 constexpr double gate_16 = 0.0058, gate_32 = 3.9e-4;
 
 Fluid begun(const Flow& flow, const Scheme& scheme, int n) { return flows::start(flow, scheme, n).value(); }
@@ -28,7 +28,7 @@ double error_of(const Flow& flow, const Scheme& scheme, int n, double step = flo
 /// Order of convergence between a grid and one of half the cell size.
 double order_between(double coarse, double fine) { return std::log2(coarse / fine); }
 
-// ---- convergence ------------------------------------------------------------------------------------------
+// ---- convergence to exact flows ---------------------------------------------------------------------------
 
 TEST(FluidAccuracy, ADriftingVortexConvergesInFourthOrder) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
@@ -76,13 +76,13 @@ TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
         EXPECT_LE(fine, 1.5e-3);
         EXPECT_GE(order_between(coarse, middle), 1.9);
         EXPECT_GE(order_between(middle, fine), 1.9);
-        // With the full time step, viscosity may be solved implicitly, which is less accurate.
+        // With time steps as long as in a match, viscosity may be solved implicitly, which is less accurate.
         for (const int n : {8, 16, 32, 64}) EXPECT_LE(error_of(flow, scheme, n), 0.025) << n;
     }
 }
 
-/// The fluid after a spin-down, in which a bowl's wall slows a rigid rotation. Fails if a step leaves more
-/// divergence than allowed.
+/// A fluid that at first rotated as a rigid body in a bowl, and that the bowl's wall has slowed down. Fails
+/// if a step leaves more divergence than allowed.
 Fluid spun_down(int n) {
     auto fluid = flows::turning_bowl(second, n).value();
     for (const double dt : flows::steps_until(flows::bowl_end))
@@ -97,8 +97,8 @@ TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
         errors.push_back(flows::bowl_error(fluid, flows::bowl_end));
         between.push_back(flows::bowl_error_between(fluid, flows::bowl_end));
     }
-    // For comparison: walls of first-order accuracy gave 0.100 with 16 cells and 0.041 with 32. Treating cell
-    // faces as closed of which the wall leaves less than an eighth open gave 0.0118 and 0.0032.
+    // For comparison: walls of first-order accuracy gave errors of 0.100 with 16 cells and 0.041 with 32.
+    // Counting cell faces that the wall leaves less than an eighth open as closed gave 0.0118 and 0.0032.
     EXPECT_LE(errors[0], 0.0116);
     EXPECT_LE(errors[2], 0.0030);
     EXPECT_LE(errors[3], 0.0022);
@@ -111,7 +111,8 @@ TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
 TEST(FluidAccuracyLong, AFineBowlBrakesTheFluidAsTheSeriesSays) {
     const double coarse = flows::bowl_error(spun_down(16), flows::bowl_end);
     const double fine = flows::bowl_error(spun_down(64), flows::bowl_end);
-    EXPECT_LE(fine, 0.00083);  // 0.00089 with faces closed of which less than an eighth is open
+    // The error was 0.00089 when cell faces less than an eighth open counted as closed.
+    EXPECT_LE(fine, 0.00083);
     EXPECT_GE(order_between(coarse, fine) / 2, 1.9);
 }
 
@@ -127,7 +128,7 @@ double walled_error(const flows::WalledFlow& flow, int n) {
 
 TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersFollowsTaylorAndCouette) {
     const flows::WalledFlow flow = flows::taylor_couette();
-    // For comparison: walls of first-order accuracy gave 0.177, 0.055 and 0.029.
+    // For comparison: walls of first-order accuracy gave errors of 0.177, 0.055 and 0.029.
     EXPECT_LE(walled_error(flow, 16), 0.021);
     EXPECT_LE(walled_error(flow, 32), 0.0099);
     EXPECT_LE(walled_error(flow, 64), 0.0031);
@@ -136,7 +137,7 @@ TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersFollowsTaylorAndCouette) {
 TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysSteady) {
     const flows::WalledFlow flow = flows::bowl_vortex();
     const double coarse = walled_error(flow, 16), fine = walled_error(flow, 32);
-    // For comparison: walls of first-order accuracy gave 0.089 and 0.032.
+    // For comparison: walls of first-order accuracy gave errors of 0.089 and 0.032.
     EXPECT_LE(coarse, 0.0215);
     EXPECT_LE(fine, 0.0053);
     EXPECT_GE(order_between(coarse, fine), 1.9);
@@ -180,8 +181,8 @@ TEST(FluidAccuracy, AThickLayerAndAThinOneShareTheShearAndStayApart) {
     }
 }
 
-/// Error of a steady flow between a fixed and a moving plate, through a layer of viscous substance up to the
-/// height `top`, where its share falls to zero over `width` (m).
+/// Error of a steady flow between a fixed plate and a moving one. A viscous substance fills the gap up to the
+/// height `top` (m), where its share falls to zero over a height of `width` (m).
 double edge_error(double ratio, double top, double width) {
     constexpr int n = 16, parts = 4096;
     auto fluid = flows::layered_couette({.ratio = ratio, .viscosity = 0.1}, n);
@@ -227,7 +228,8 @@ TEST(FluidAccuracy, AnyViscosityDampsAtTheExactRate) {
 
 // ---- the bounds detect broken solvers ---------------------------------------------------------------------
 
-// Without advection the vortex decays in place, so its error must exceed the bound gate_16.
+// Without advection the vortex decays in place instead of drifting, so its error must exceed gate_16, the
+// largest error allowed for the solver.
 TEST(FluidAccuracy, TheGateFailsAFluidWithoutAdvection) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
         Fluid fluid = begun(flow, fourth, 16);
@@ -383,7 +385,8 @@ TEST(FluidAccuracy, AFluidAtRestVisitsNoCells) {
     EXPECT_EQ(energy(fluid), 0.0);
 }
 
-/// The layers at rest of flows::resting, rotated so that gravity acts along another axis.
+/// Three layers of substances at rest, heavier ones below, as in flows::resting, but rotated so that gravity
+/// acts along another axis.
 Fluid resting_along(int axis) {
     auto fluid = flows::resting(fourth, 16).value();
     const double pull = fluid.settings.gravity.y;

@@ -8,7 +8,8 @@
 namespace thaum::fluid {
 namespace {
 
-/// Largest excess allowed of kinetic plus potential energy over the start, as a share of the released energy.
+/// Largest amount by which kinetic plus potential energy may exceed that of the start, as a share of the
+/// potential energy that has been released.
 constexpr double max_excess = 0.01;
 
 void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
@@ -62,9 +63,10 @@ TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
     for (int i = 0; i < 20; ++i) EXPECT_EQ(advance(box, flows::step).rescaled, 0);
 }
 
-/// A standing wave in a layered box with frequency N / sqrt(2), where N is the buoyancy frequency: N^2 = -g
-/// dw/dy for a relative weight w. In every half period all its energy becomes kinetic again. With a force of
-/// first order in time and a flow with divergence, the wave was amplified 23 times in five periods.
+/// A standing wave in a layered box has the frequency N / sqrt(2). N is the buoyancy frequency: N^2 = -g
+/// dw/dy for a relative weight w. In every half period all the wave's energy becomes kinetic again. When
+/// buoyancy was of first order in time and the flow had divergence, the wave was amplified 23 times in five
+/// periods.
 TEST(FluidBuoyancy, AWaveInLayersIsNeitherAmplifiedNorDamped) {
     const double weight = 0.5, height = 0.02;
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);

@@ -98,7 +98,8 @@ TEST(FluidClassic, DensitiesStayBetweenTheirBoundsAtAnySpeedAndStep) {
     }
 }
 
-/// Divergence that remains one step after a push into the vortex.
+/// Divergence that remains in a vortex one step after a push, if the pressure is solved with this many
+/// Gauss-Seidel sweeps.
 double divergence_left(int sweeps) {
     Flow flow = flows::taylor_green_box(0);
     flow.settings.sweeps = sweeps;
@@ -107,7 +108,8 @@ double divergence_left(int sweeps) {
     return advance(fluid, flows::step).divergence;
 }
 
-// The floor is the divergence that differences across two cells cannot detect, whatever the number of sweeps.
+// The floor below which divergence does not fall, however many sweeps: differences across two cells cannot
+// detect the rest.
 TEST(FluidClassic, MoreSweepsLeaveLessDivergenceDownToAFloor) {
     EXPECT_LT(divergence_left(20), 0.5 * divergence_left(1));
     EXPECT_LT(divergence_left(80), 0.5 * divergence_left(20));

@@ -133,7 +133,8 @@ TEST(FluidSolids, OpeningsOfAnySizeHaveTheirAreaAndTheirCentre) {
     }
 }
 
-/// Sum of the squared velocity, each face weighted by the share of it that no solid covers.
+/// Sum of the squared velocities on all cell faces, each weighted by the share of the face that no solid
+/// covers.
 double square_in_openings(const Fluid& fluid, const Solids& solids) {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {

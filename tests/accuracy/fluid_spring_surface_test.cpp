@@ -110,7 +110,7 @@ TEST(SpringSurfaceAccuracy, NoModeIsFasterThanTheStiffestFrequency) {
                 for (std::uint32_t q = 1; q <= 13; ++q) fastest = std::max(fastest, mode_frequency(s, p, q));
             }
             EXPECT_LE(fastest, stiffest_frequency(s));
-            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // the bound is not much larger than necessary
+            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // the bound is tight
         }
     }
 }
@@ -156,7 +156,7 @@ TEST(SpringSurfaceAccuracy, AStepFollowsTheRecurrenceOfRungeKutta) {
     EXPECT_NEAR(part.velocity, v, 1e-12);
 }
 
-/// Largest difference of heights (m).
+/// Largest difference between the heights of two surfaces (m).
 double distance(const SpringSurface& a, const SpringSurface& b) {
     double most = 0;
     each_node(a.settings, [&](std::size_t, std::size_t, std::size_t i) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double brew_density = 8;  // density of the brew (kg/m^3)
 
-/// A periodic box of 1 m, in which only the hand can absorb momentum.
+/// A periodic box of fluid, 1 m wide, without walls, so that only the hand can absorb momentum.
 struct StirredBox {
     fluid::Fluid fluid =
         *fluid::make_fluid({.cells = {16, 16, 16},
@@ -72,10 +72,10 @@ TEST(FluidTouchAccuracy, HandAndFluidTogetherConserveMomentum) {
 }
 
 TEST(FluidTouchAccuracy, AReleasedHandIsCarriedByTheFlow) {
-    // The hand stirs in circles. When released, it is carried along by the flow that it has caused.
+    // The hand stirs in circles, is then released, and the flow that it has caused carries it along.
     StirredBox box;
     auto& rig = box.rig;
-    rig.servo.limits.cap = 1e-9;  // no force on the hand while it is moved
+    rig.servo.limits.cap = 1e-9;  // no force on the hand while the test moves it
     const double radius = 0.2 / 16, turns_per_second = 1.5;
     int tick = 0;
     const auto led = [&](double t) {

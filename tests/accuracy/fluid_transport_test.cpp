@@ -120,12 +120,12 @@ double amount(const Lattice& l, const Samples& density) {
 float least(const Lattice& l, const Samples& density) {
     float result = density[place(l, 0, 0, 0)];
     each_cell(l, [&](int, int, int, std::size_t at) {
-        if (!(density[at] >= result)) result = density[at];  // written so that a NaN is kept
+        if (!(density[at] >= result)) result = density[at];  // unlike >, also keeps a NaN
     });
     return result;
 }
 
-/// Relative L2 error of a transported density.
+/// Relative L2 error of a density after its transport.
 double error(const Lattice& l, const Samples& found, const Samples& exact) {
     double off = 0, all = 0;
     each_cell(l, [&](int, int, int, std::size_t at) {
@@ -135,7 +135,8 @@ double error(const Lattice& l, const Samples& found, const Samples& exact) {
     return std::sqrt(off / all);
 }
 
-/// Transports a density in `steps` steps that take `seconds` in total. Returns the last report.
+/// Transports a density by a velocity in `steps` steps that take `seconds` in total. Returns the last step's
+/// report.
 TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& density, double seconds, int steps,
                       const TransportSettings& settings = {.max_substeps = 64},
                       const FaceApertures* face_apertures = nullptr) {
@@ -149,7 +150,7 @@ TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& densi
 
 const auto nothing_closed = [](int, int, int) { return false; };
 
-// ---- convergence ------------------------------------------------------------------------------------------
+// ---- convergence of transport -----------------------------------------------------------------------------
 
 /// Error after a translation by a quarter of the box along x and an eighth along y and z.
 double translation_error(int n, double courant) {
@@ -206,7 +207,7 @@ TEST(TransportAccuracy, ABlobReturnsFromOneRevolution) {
 struct Deformed {
     double error;        ///< relative L1 error of the density
     double least, most;  ///< lowest and highest density over all steps
-    double change;       ///< relative change of the total amount
+    double change;       ///< relative change of the substance's total amount
 };
 
 Velocity deformation_at_start(const Lattice& l) {
@@ -377,7 +378,7 @@ TEST(Transport, AnEmptyOrMotionlessDensityVisitsNoCells) {
     EXPECT_GE(carry(l, still, some, 0.1, 1, {.diffusion = 0.01}).cells, 8 * 8 * 8);
 }
 
-// ---- symmetry ---------------------------------------------------------------------------------------------
+// ---- symmetry of transport --------------------------------------------------------------------------------
 
 /// A lattice seen with permuted and mirrored axes.
 struct View {
@@ -459,7 +460,7 @@ TEST(Transport, MirrorsAndTheExchangeOfXAndYHoldToTheBit) {
     }
 }
 
-// ---- solids -----------------------------------------------------------------------------------------------
+// ---- transport around solids ------------------------------------------------------------------------------
 
 Velocity apertures(const Lattice& l, const std::function<bool(int, int, int)>& closed) {
     Velocity result{make_samples(l), make_samples(l), make_samples(l)};
@@ -527,7 +528,7 @@ TEST(TransportSolids, HalfOpenFacesLetHalfThrough) {
     EXPECT_LE(error(l, through_half, slower), 1e-6);
 }
 
-// ---- diffusion --------------------------------------------------------------------------------------------
+// ---- diffusion of substances ------------------------------------------------------------------------------
 
 double diffusion_error(int n) {
     const Lattice l = make_lattice({n, n, 4}, 1.0 / n, {Edge::free_slip, Edge::no_slip, Edge::periodic});

@@ -26,7 +26,8 @@ std::vector<Gesture> shipped_gestures() {
 }
 
 struct Figures {
-    /// Number of strokes by [drawn gesture][recognised gesture]; the last column: not recognised.
+    /// Number of strokes, by [gesture that was drawn][gesture that was recognised]. The last column counts
+    /// strokes that were not recognised.
     std::array<std::array<int, figures + 1>, figures> read{};
     int right = 0, right_force = 0, scribbles_taken = 0;
     int drawn = 0, scribbled = 0;
@@ -82,9 +83,9 @@ TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
     }
 }
 
-/// Twins are a gentle and a harsh gesture of the same shape: they differ only in force, half and twice the
-/// usual, with a scatter of 15 %. They are recognised from one stroke each by one generated user, among the
-/// other shipped gestures.
+/// Twins are a gentle and a harsh gesture of the same shape. They differ only in force: half and twice the
+/// force of an ordinary stroke, with a scatter of 15 %. They are recognised from one stroke each by one
+/// generated user, among the other shipped gestures.
 TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
     const auto shipped = shipped_gestures();
     RecogniserSpace space;

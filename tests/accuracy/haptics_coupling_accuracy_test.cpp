@@ -52,8 +52,8 @@ TEST(HapticsCoupling, IsExactAtAnyStiffnessMassDampingAndStep) {
     RecordProperty("worst_relative_error", std::to_string(worst * 1e12) + "e-12");
 }
 
-/// Two free bodies of 1 kg and `ratio` kg, released 0.2 m apart. Compares their state after one second with
-/// the textbook formula.
+/// Two free bodies of 1 kg (the hand) and `ratio` kg (the object), joined by a spring and damper and released
+/// 0.2 m apart. Compares their state after one second with the textbook formula.
 double error_of_free_pair(double stiffness, double damping_ratio, double ratio, double dt) {
     const double reduced = ratio / (1 + ratio);
     const double damping = damping_ratio * 2 * std::sqrt(stiffness * reduced);
@@ -63,8 +63,8 @@ double error_of_free_pair(double stiffness, double damping_ratio, double ratio, 
     for (int i = 0; i < steps; ++i) {
         const auto r = couple(step, s);
         const vec3 hand_change = -r.impulse;  // the hand's change of velocity, for its mass of 1 kg
-        // The centre of mass is at rest, so the hand's displacement is the object's, scaled by the ratio of
-        // masses.
+        // The centre of mass is at rest, so the hand's displacement is the object's times the ratio of
+        // masses, in the opposite direction.
         s.hand -= ratio * r.displacement;
         s.hand_velocity += hand_change;
         s.object += r.displacement;

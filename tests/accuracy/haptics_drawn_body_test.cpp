@@ -254,7 +254,7 @@ TEST(DrawnBody, TheNormalTurnsOverTheEdgeOfACutWithoutAJump) {
     const double begin = std::asin(edge / radius);
     vec3 before(0, 0, 1);
     for (int i = -300; i < 300; ++i) {
-        // The path goes from the cut face over the edge and down the ball.
+        // The path goes from the flat face, where the box cuts off the ball, over the edge and down the ball.
         const double turn = begin + std::max(i, 0) * step / radius;
         const vec3 out(det::sin(turn), 0, det::cos(turn));
         const vec3 place = i < 0 ? vec3(edge + i * step, 0, face) : middle + radius * out;

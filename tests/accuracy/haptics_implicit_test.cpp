@@ -60,7 +60,8 @@ TEST(ImplicitSurfaces, GradientsAreThoseOfTheValuesAndShapesAreDistances) {
               field_of<Scalar>(ground)}) {
             const Scalar here = shape(place);
             EXPECT_NEAR(glm::length(here.gradient), 1, 1e-12);
-            if (here.value < 0.001) continue;  // skipped, because a block's distance has creases inside
+            // Skips places inside, because a block's distance has creases there, and places near the surface.
+            if (here.value < 0.001) continue;
             EXPECT_LE(gradient_error(shape, place), 1e-5);
             // A step against the gradient, as long as the value, ends on the surface.
             EXPECT_NEAR(shape(place - here.value * here.gradient).value, 0, 1e-12);
@@ -122,7 +123,8 @@ TEST(LevelContact, ATipDoesNotFallThroughWhatItCrossesInOneTick) {
     TouchedModes hand{{wall_of(field_of<Scalar>(thick), 20)}};
     hand.start({0, 0.01, 0});
     vec3 force(0);
-    for (int tick = 0; tick <= 12; ++tick) force = hand.move({0, 0.01 - 0.001 * tick, 0});  // moves at 1 m/s
+    // The hand moves at 1 m/s.
+    for (int tick = 0; tick <= 12; ++tick) force = hand.move({0, 0.01 - 0.001 * tick, 0});
     EXPECT_LE(glm::distance(force, vec3(0, 300 * (0.002 + 0.0007), 0)), 1e-9);
 }
 
@@ -177,7 +179,8 @@ TEST(LevelContact, AHollowHoldsAHandThatSlidesUpToTheStatedForceWithItsFriction)
             double largest = 0, least = HUGE_VAL, most = 0;
             int held = 0;
             for (int tick = 0; tick <= 3000; ++tick) {
-                const double turn = 0.002 * tick, deep = radius + 0.0000015 * tick;  // sliding at 0.06 m/s
+                // The tip slides at 0.06 m/s.
+                const double turn = 0.002 * tick, deep = radius + 0.0000015 * tick;
                 const vec3 out = std::cos(turn) * first + std::sin(turn) * second;
                 const vec3 force = hand.move((tick == 0 ? 0.028 : deep) * out);
                 largest = std::max(largest, glm::length(force));
@@ -209,7 +212,8 @@ TEST(LevelContact, ASurfaceThatCurvesEverywhereNeverHoldsMoreThanItsStrength) {
         if (tick % 400 == 0)
             goal = {random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04)};
         const vec3 way = goal - at;
-        at += std::min(1.0, 1e-4 / std::max(glm::length(way), 1e-9)) * way;  // at most 0.1 m/s
+        // The tip moves at 0.1 m/s or less.
+        at += std::min(1.0, 1e-4 / std::max(glm::length(way), 1e-9)) * way;
         largest = std::max(largest, glm::length(hand.move(at)));
     }
     EXPECT_GE(largest, 0.9);
@@ -264,7 +268,7 @@ TEST(LevelContact, AMagneticSurfaceHoldsATipThatLeavesUpToItsStrength) {
 
 TEST(LevelContact, AMagneticSurfaceTakesHoldAndLetsGoOverATenthOfAMillimetre) {
     constexpr double step = 1e-6;  // motion of the tip (m per tick)
-    // The last one is stronger than the spring at the reach of the magnet
+    // The last magnet (3 N) pulls more strongly than the spring where the magnet's reach ends.
     for (const double magnet : {0.1, 0.4, 3.0}) {
         auto use = wall_of(field_of<Scalar>(ball), 20);
         use.settings.magnet = magnet;

@@ -38,7 +38,7 @@ PrimitiveSet set_of(const ModeUse& use, const ModeInput& input) {
     return set;
 }
 
-// ---- vortices ---------------------------------------------------------------------------------------------
+// ---- modes in vortices ------------------------------------------------------------------------------------
 
 const field::RankineVortex vortex{
     .middle = {0.01, 0, -0.02}, .axis = glm::normalize(vec3(1, 2, 3)), .radius = 0.03, .speed = 0.6};
@@ -49,7 +49,7 @@ vec3 inward(vec3 place) {
     return glm::normalize(off - glm::dot(off, vortex.axis) * vortex.axis);
 }
 
-/// Positions within the core, but not on its axis.
+/// Positions within the vortex's core, but not on its axis.
 std::vector<vec3> places_in_core() {
     std::vector<vec3> places;
     const vec3 a = perpendicular_to(vortex.axis), b = glm::cross(vortex.axis, a);
@@ -120,7 +120,7 @@ TEST(HapticModes, SnappingToACoreIsExactInACoreThatTurnsLikeASolid) {
     }
 }
 
-// ---- forces and resistance --------------------------------------------------------------------------------
+// ---- modes that push or resist ----------------------------------------------------------------------------
 
 TEST(HapticModes, GradientAndForcePushWithTheMappedStrength) {
     const field::Plane slope{.through = {}, .normal = glm::normalize(vec3(1, -2, 2))};
@@ -174,8 +174,8 @@ TEST(HapticModes, ASurfaceHoldsWithFrictionInProportionToItsPush) {
     EXPECT_LE(glm::distance(hand.move({0.001, -0.005, 0}), vec3(-0.3, 1.5, 0)), 1e-9);
     for (int tick = 0; tick < 100; ++tick) hand.move({0.001 + 1e-4 * tick, -0.005, 0});
     EXPECT_LE(glm::distance(hand.move({0.011, -0.005, 0}), vec3(-0.6, 1.5, 0)), 1e-9);
-    // A push above the mode's strength breaks through. The friction then follows from the mode's strength,
-    // not from the push.
+    // A push above the strength of the mode breaks through the surface. The friction then follows from the
+    // mode's strength, not from the push.
     for (int tick = 0; tick < 300; ++tick) hand.move({0.011 + 1e-4 * tick, -0.005 - 1e-4 * tick, 0});
     const vec3 through = hand.move({0.041, -0.035, 0});
     EXPECT_NEAR(through.y, 5, 1e-6);
@@ -212,7 +212,7 @@ TEST(HapticModes, TheGridTurnsAndMovesWithItsVolume) {
     EXPECT_LE(glm::distance(hand.proxy, point), 1e-12);
 }
 
-// ---- combinations, faults ---------------------------------------------------------------------------------
+// ---- combinations and faults of modes ---------------------------------------------------------------------
 
 TEST(HapticModes, EveryModeReadsOneKindOfFieldAndIsListedByName) {
     const auto all = modes();
@@ -248,7 +248,8 @@ TEST(HapticModes, EveryFieldIsOfferedEveryModeDirectlyOrThroughAFilter) {
 }
 
 TEST(HapticModes, AModeFeelsAFieldThroughAFilter) {
-    // The speed of a vortex is felt as a viscosity, and the gradient of a depth is followed like a flow.
+    // The speed of a vortex is felt as a viscosity, and the gradient of a ball's depth guides the hand like a
+    // flow.
     field::FilteredField speed, slope;
     const field::Filter magnitude{field::FilterKind::magnitude}, gradient{field::FilterKind::gradient};
     const field::Plane plane{.through = {}, .normal = glm::normalize(vec3(2, 1, -2))};

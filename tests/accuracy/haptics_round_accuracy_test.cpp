@@ -30,12 +30,12 @@ double steady_lag(double radius, double tip_radius, double friction) {
 
 // ---- steady sliding ---------------------------------------------------------------------------------------
 
-/// A steady slide around a circle.
+/// A slide of the tip along a circle at steady speed.
 struct Circle {
     double radius{};       ///< radius of the circle (m)
     double depth_ratio{};  ///< depth of the tip divided by the radius
     double friction{};
-    double speed{};  ///< speed of the tip over the surface (m/s)
+    double speed{};  ///< speed of the tip along the surface (m/s)
 };
 
 std::vector<Circle> all_circles() {
@@ -55,9 +55,9 @@ std::string name_of(const Circle& c) {
 
 /// Largest differences between the forces and the exact ones over a whole slide (N).
 struct Errors {
-    double steady{};  ///< largest error once the lag is constant
-    double before{};  ///< largest error while the proxy sticks and the lag grows
-    int lost{};       ///< number of ticks without force
+    double steady{};  ///< largest error once the lag of the proxy is constant
+    double before{};  ///< largest error while the proxy sticks and its lag grows
+    int lost{};       ///< number of ticks without force, of which there should be none
 };
 
 /// Slides a tip along a circle of radius `tip_radius`. The proxy moves outside of that circle, on one of
@@ -89,7 +89,8 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
 }
 
 constexpr double steady_chatter = 1e-6;  // largest error of the force in steady sliding (N)
-constexpr double judged_to = 1e-4;       // tolerance (N): accuracy of the Runge-Kutta solution of a transient
+// Tolerance (N): the accuracy of our Runge-Kutta solution before steady sliding.
+constexpr double judged_to = 1e-4;
 
 TEST(RoundBodies, SteadySlidingOverASphereIsTheClosedForm) {
     for (const Circle& c : all_circles()) {
@@ -107,7 +108,7 @@ TEST(RoundBodies, SteadySlidingRoundCapsuleAndCylinderIsTheSame) {
         for (const Circle& c : all_circles()) {
             Probe probe{rubbing_patch(c.friction)};
             add(probe.patch, kind, {}, {c.radius, 0.02, 0});
-            // Rotated so that the axis is along z.
+            // The body is rotated so that its axis is along z.
             probe.patch.bodies[0].orientation = rotation({1, 0, 0}, pi / 2);
             const Errors errors = slide_round(probe, c, c.friction, 0);
             EXPECT_EQ(errors.lost, 0) << name_of(c);
@@ -181,7 +182,7 @@ TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
     }
 }
 
-// ---- transients -------------------------------------------------------------------------------------------
+// ---- from sticking to steady sliding ----------------------------------------------------------------------
 
 /// Exact proxy on a sphere about the origin after the tip has moved (m). The proxy moves along the great
 /// circle towards the tip until Coulomb's law holds.
@@ -221,8 +222,8 @@ TEST(RoundBodies, OverASphereEveryTransientIsTheExactOne) {
     }
 }
 
-/// Exact proxy without friction for a tip inside (m): the nearest point of the side, on the same side of the
-/// body as the proxy.
+/// Exact place of the proxy without friction, for a tip inside the body (m): the nearest point of the round
+/// side, and on a capsule also of its round ends.
 vec3 foot_on_side(SurfaceKind kind, vec3 tip, double radius, double half) {
     const double held = kind == SurfaceKind::capsule ? std::clamp(tip.y, -half, half) : tip.y;
     const vec3 core(0, held, 0);

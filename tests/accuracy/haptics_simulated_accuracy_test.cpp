@@ -11,7 +11,7 @@ namespace {
 
 using oracle::Real;
 
-constexpr double max_error = 1e-9;  // largest relative error
+constexpr double max_error = 1e-9;  // largest relative error allowed
 
 /// Hands that hold the reference device under-damped, critically damped and over-damped.
 struct Grip {
@@ -104,7 +104,7 @@ TEST(HapticsSimulatedAccuracy, RampTarget) {
     }
 }
 
-// ---- dry friction -----------------------------------------------------------------------------------------
+// ---- a device with dry friction ---------------------------------------------------------------------------
 
 SimulatedDevice with_friction(const Hand& hand, double friction, double damping, double dt = 1e-3) {
     auto spec = reference_spec();
@@ -160,7 +160,8 @@ TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
         with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
     const Real go = Real(friction) / (k * Real(w)), rate = std::sqrt(Real(k) / Real(0.25));
     auto state = resting_at({});
-    for (int tick = 1; tick <= 90; ++tick) {  // until just before the mass would stop again
+    // Until just before the mass would stop at the next turning point.
+    for (int tick = 1; tick <= 90; ++tick) {
         const Real t = Real(tick) / 1000;
         state = step(device, state, {static_cast<double>(Real(w) * t), 0, 0}, {});
         const Real u = t - go;

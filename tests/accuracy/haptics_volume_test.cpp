@@ -21,7 +21,7 @@ using bench::TouchedModes;
 using field::field_of;
 using field::Scalar;
 
-/// A tip that feels a volume.
+/// A tip that feels a volume of density as in a scan.
 struct FeltVolume {
     VolumeFeel feel{};
     TouchedModes hand{};
@@ -33,7 +33,7 @@ struct FeltVolume {
         EXPECT_EQ(set.items().size(), primitives_of(feel));
         return hand.settle(set, to);
     }
-    /// Force after the tip has rested at a place.
+    /// Force after the tip has rested at a place for some time.
     vec3 rest(vec3 place) {
         for (int tick = 0; tick < 3; ++tick) move(place);
         return move(place);
@@ -43,7 +43,7 @@ struct FeltVolume {
 /// Density grows by 100 per cm below a plane and is 0 above.
 const auto ramp = [](vec3 p) { return Scalar{std::max(0.0, -1e4 * p.y), {0, p.y < 0 ? -1e4 : 0, 0}}; };
 
-// ---- shell, opacity ---------------------------------------------------------------------------------------
+// ---- forces of a shell, and by opacity --------------------------------------------------------------------
 
 TEST(VolumeFeel, AShellsForceIsExactlyLinearInTheDensity) {
     FeltVolume v;
@@ -62,7 +62,7 @@ TEST(VolumeFeel, StiffnessAndViscosityFollowTheOpacity) {
     FeltVolume v;
     v.feel.density = field_of<Scalar>(ramp);
     v.feel.opacity = {.density = field::window(10, 60, 0, 1),
-                      // The ramp's gradient of 1e4 halves the stiffness.
+                      // The density's gradient is 1e4, the middle of this window, so it halves the stiffness.
                       .gradient = field::window(0, 2e4, 0, 1),
                       .stiffness = 2,
                       .retarding = 4,
@@ -77,7 +77,7 @@ TEST(VolumeFeel, StiffnessAndViscosityFollowTheOpacity) {
 }
 
 TEST(VolumeFeel, TheInvertedMappingDrawsTheTipIntoAThinStructure) {
-    // A fibre along x with the profile 100 exp(-r^2 / w^2).
+    // A fibre along x, whose density falls with the distance r from its axis: 100 exp(-r^2 w^2).
     constexpr double width = 0.002;
     const auto fibre = [](vec3 p) {
         const double d = 100 * det::exp(-(p.y * p.y + p.z * p.z) / (width * width));
@@ -101,7 +101,7 @@ TEST(VolumeFeel, TheInvertedMappingDrawsTheTipIntoAThinStructure) {
     EXPECT_LE(glm::length(tip), 3e-4);  // tolerance, because the pull fades out on the fibre
 }
 
-// ---- walls, materials -------------------------------------------------------------------------------------
+// ---- walls and materials in volumes -----------------------------------------------------------------------
 
 VolumeFeel skin_over_bone() {
     VolumeFeel feel;
@@ -114,7 +114,7 @@ VolumeFeel skin_over_bone() {
 
 TEST(VolumeFeel, AnInvisibleSkinIsFeltUntilAStrongPushGetsThroughToTheBone) {
     FeltVolume v{skin_over_bone(), {}, {}};
-    v.feel.opacity = {.density = field::constant(0), .stiffness = 5};  // an opacity that is zero everywhere
+    v.feel.opacity = {.density = field::constant(0), .stiffness = 5};  // an opacity of zero everywhere
     v.hand.start({0, 0.002, 0});
     double at_skin = 0, between = 1;
     for (int tick = 0; tick <= 2000; ++tick) {
@@ -183,7 +183,7 @@ TEST(VolumeFeel, FaultyNumbersGiveNoForceAndTooFewPlacesNone) {
     EXPECT_EQ(full.items().size(), before);
 }
 
-// ---- smoothed samples -------------------------------------------------------------------------------------
+// ---- smoothing of samples ---------------------------------------------------------------------------------
 
 TEST(SmoothGrid, ReadsALinearFieldExactlyAndOthersWithSecondOrder) {
     const auto wave = [](vec3 p) { return det::sin(40 * p.x) * det::cos(30 * p.y) + det::sin(20 * p.z); };

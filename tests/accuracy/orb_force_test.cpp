@@ -77,7 +77,7 @@ struct Felt {
     const FeltFlow& flow;
     const field::TransferFunction& strength;
 
-    /// The tip moved by the vector `way`, but at most as far as `force` allows.
+    /// The tip moved by the vector `way` (m), but at most as far as `force` (N) stretches the spring.
     vec3 drawn(vec3 way, double force) const {
         const double pull = k * glm::length(way);
         return tip + (pull > force ? force / pull : 1) * way;
@@ -116,8 +116,8 @@ vec3 surface(const Felt& f) {
     return f.held_by_plane(glm::normalize(f.flow.slope(f.proxy)), f.strength(f.flow.speed(f.proxy)), 0.15);
 }
 
-/// Share of the ticks, over some seconds of a wandering hand, in which the force differs from the expected
-/// one by more than 10 uN; and the largest force (N).
+/// A hand wanders for some seconds. Returns the share of the ticks in which its force differs from the
+/// expected one by more than 10 uN, and the largest force (N).
 std::pair<double, double> share_of_others(std::uint8_t key, const Expectation& expected, std::uint64_t seed) {
     Seance seance(seed);
     seance.begin();
@@ -160,8 +160,8 @@ TEST(OrbForce, IsThatOfTheFormula) {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             const auto [others, largest] =
                 share_of_others(static_cast<std::uint8_t>(mode + 1), modes[mode].second, seed);
-            // Where the formula throws the proxy back and forth, as on the ridges of a gradient, the proxy
-            // settles between the two places (haptics/primitives/settling.h).
+            // Where the formula throws the proxy back and forth between two places, as on the ridges of a
+            // gradient, the engine's proxy settles between them (haptics/primitives/settling.h).
             EXPECT_LT(others, std::string_view(modes[mode].first) == "gradient" ? 0.25 : 0.02)
                 << modes[mode].first << ", seed " << seed;
             EXPECT_GT(largest, 0.2) << modes[mode].first << ": something was felt";

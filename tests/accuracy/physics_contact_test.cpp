@@ -131,7 +131,7 @@ TEST(PhysicsBounce, FastBallAgainstTheSeamOfTwoFloorsBouncesAsOnOne) {
         physics.add(3, shot, at({0, from, 0}, {0, -speed, 0}));
         for (int i = 0; i < 20; ++i) physics.step(dt);
         EXPECT_NEAR(physics.velocity(3).y, speed, 1e-3 * speed);
-        // The time upwards is 20 ms of flight minus the time downwards.
+        // The flight lasts 20 ms in all, so the time upwards is 20 ms minus the time downwards.
         const double down = (from - 0.1) / speed;
         EXPECT_NEAR(physics.state(3).position.y, 0.1 + speed * (0.02 - down), 0.002 * speed * dt) << speed;
     }

@@ -10,9 +10,10 @@
 
 namespace thaum::haptics::sets {
 
-/// Largest violation of the documentation by a balance (N): spring force against the sum of forces, and each
-/// force against what its primitive can exert at the proxy. A position is accurate only to `touching` (m),
-/// which limits the accuracy of forces whose direction depends on it.
+/// Largest violation of the documentation by a balance (N). The spring's force must equal the sum of the
+/// primitives' forces, and each of these must be a force that its primitive can exert at the proxy. A
+/// position is accurate only to `touching` (m), which limits the accuracy of forces whose direction depends
+/// on it.
 inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance& balance, double touching) {
     const auto items = set.items();
     double worst = 0;
@@ -24,7 +25,7 @@ inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance
         vec3 m = balance.proxy - p.position;
         vec3 expected{};
         double distance = 0;
-        vec3 outside{};  // part that the primitive cannot exert at any proxy
+        vec3 outside{};  // part of the force that the primitive cannot exert, wherever the proxy is
         if (p.kind == PrimitiveKind::directed) {
             worst = std::max(worst, glm::length(force - p.strength * p.direction));
             continue;
@@ -43,7 +44,8 @@ inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance
             worst = std::max(worst, glm::length(force) - p.strength);
         }
         worst = std::max(worst, glm::length(outside));
-        if (distance <= touching) continue;  // where its force jumps, any force within its strength is right
+        // Where the force jumps, any force within the primitive's strength is right.
+        if (distance <= touching) continue;
         const double doubt = p.kind == PrimitiveKind::plane ? 0 : p.strength * 2 * touching / distance;
         worst = std::max(worst, glm::length(force - expected) - doubt);
     }
@@ -87,8 +89,8 @@ inline double proven_bound(const PrimitiveSet& set, const Spring& spring, const 
     return static_cast<double>(std::sqrt(dot(missing, missing) + 2 * k * gap));
 }
 
-/// Largest possible increase of proven_bound by rounding (N): of the proxy and positions, which moves the
-/// places where forces jump, and of forces.
+/// Largest amount (N) by which rounding may increase proven_bound. Forces are rounded, and so are the proxy
+/// and all positions, which moves the places where forces jump.
 inline double bound_rounding(const PrimitiveSet& set, const Spring& spring, const Balance& balance) {
     double reach = glm::length(balance.proxy), strength = 0;
     for (const Primitive& p : set.items()) {

@@ -49,8 +49,8 @@ TEST(PrimitivesRandom, SixteenPrimitivesBalance) {
     EXPECT_LE(worst.fault, 1e-9);
 }
 
-/// Checks one of the few sets of primitives in a million on which the solver's check of optimality once
-/// failed. The spring has 300 N/m.
+/// Expects balance for one of the few sets of primitives, a few in a million, on which the solver's check of
+/// optimality once failed. The spring has 300 N/m.
 void expect_balanced(std::initializer_list<Primitive> primitives, vec3 centre) {
     PrimitiveSet set;
     for (const Primitive& p : primitives) ASSERT_EQ(set.add(p), PrimitiveFault::none);
@@ -154,7 +154,8 @@ double f(const PrimitiveSet& set, const Spring& spring, vec3 x) {
     return result;
 }
 
-/// Tries steps in every direction, and halves the step when none leads to a lower value.
+/// Finds the minimum of the energy without the solver: tries steps in every direction, and halves the step
+/// when none leads to a lower value.
 vec3 brute_minimum(const PrimitiveSet& set, const Spring& spring, double size, Random& random) {
     vec3 x = spring.centre;
     double best = f(set, spring, x);
@@ -249,7 +250,8 @@ TEST(PrimitivesRandom, ScalesFromTinyToHuge) {
         for (const double strength : {1e-6, 1.0, 1e3}) {
             for (const double size : {1e-9, 1e-3, 1.0, 1e3}) {
                 const double ratio = strength / stiffness / size;
-                // At higher ratios more sets are unsolved: see TheResidualIsTrueEverywhere.
+                // If forces stretch the spring by more than 1e8 times the set's size, more sets stay
+                // unsolved: see TheResidualIsTrueEverywhere.
                 if (ratio > 1e8) continue;
                 const Scale scale{strength, size, stiffness};
                 Worst worst;
@@ -306,7 +308,7 @@ TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
     }
 }
 
-/// A set of random primitives with one of negligible strength.
+/// A set of random primitives, one of which has a negligible strength.
 PrimitiveSet set_with_a_speck(Random& random, double speck) {
     PrimitiveSet set;
     const std::size_t count = 1 + random.below(8), at = random.below(count + 1);
@@ -332,8 +334,8 @@ TEST(PrimitivesRandom, AStrengthNextToNothingSpoilsNoSet) {
 }
 
 TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidual) {
-    // For kinks 1e-14 m apart, the directions of forces change completely within a few rounding steps of a
-    // position. Some sets stay unsolved.
+    // Lines at so small an angle (rad) have kinks only 1e-14 m apart. There the directions of forces change
+    // completely within a few rounding steps of a position, and some sets stay unsolved.
     for (const double angle : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
         Random random{13};
         for (int i = 0; i < 3'000; ++i) {
@@ -359,7 +361,8 @@ TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidua
 }
 
 TEST(PrimitivesRandom, TheStepBudgetHolds) {
-    // If strength / stiffness is huge, some sets stay unsolved and use up all steps.
+    // If strength / stiffness (how far a force stretches the spring) is huge, some sets stay unsolved and use
+    // up all steps.
     Random random{5};
     Scale scale;
     int most = 0;

@@ -53,7 +53,7 @@ TEST(Primitives, ALineHoldsAcrossAndLeavesFreeAlong) {
 
 TEST(Primitives, APlaneIsAWallThatYields) {
     const auto set = set_of({plane({0, 0.1, 0}, {0, 1, 0}, 3)});
-    expect_at(balance(set, {{5, 0.2, 1}, k}), {5, 0.2, 1}, {5, 0.2, 1});  // above the plane: no force
+    expect_at(balance(set, {{5, 0.2, 1}, k}), {5, 0.2, 1}, {5, 0.2, 1});  // above the plane there is no force
     // A probe that is pushed against the plane: the plane holds the proxy.
     expect_at(balance(set, {{5, 0.095, 1}, k}), {5, 0.1, 1}, {5, 0.095, 1});
     // A probe that is pushed through the plane: the plane exerts its full strength.
@@ -65,7 +65,8 @@ TEST(Primitives, TwoPlanesHoldInTheirEdge) {
     expect_at(balance(set, {{-0.005, -0.004, 0.3}, k}), {0, 0, 0.3}, {-0.005, -0.004, 0.3});
     const Balance oblique =
         balance(set_of({plane({}, {1, 0, 0}, 3), plane({}, {0.6, 0.8, 0}, 3)}), {{-0.004, -0.004, 1}, k});
-    // Balance of the planes' forces along y and x: 0.8 s2 = 1.2 N, s1 + 0.6 s2 = 1.2 N.
+    // The planes' forces s1 (along x) and s2 (oblique) balance the spring: 0.8 s2 = 1.2 N, and s1 + 0.6 s2 =
+    // 1.2 N.
     expect_at(oblique, {0, 0, 1}, {-0.004, -0.004, 1});
     EXPECT_LT(glm::length(oblique.primitive[1] - vec3(0.9, 1.2, 0)), 1e-12);
     EXPECT_LT(glm::length(oblique.primitive[0] - vec3(0.3, 0, 0)), 1e-12);
@@ -89,9 +90,12 @@ TEST(Primitives, APlaneHoldsBesideAPointThatPullsThroughIt) {
 
 TEST(Primitives, APointOnAPlaneAndOnALineAddsUp) {
     const auto set = set_of({plane({}, {0, 1, 0}, 1), point({}, 1), line({}, {0, 0, 1}, 1)});
-    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});  // all three: 2.7 N of their 3 N
-    expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});  // 3.3 N: too much for 3 N
-    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});  // point and line: 1.8 N of their 2 N
+    // 2.7 N are needed, and plane, point and line together can give 3 N.
+    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});
+    // 3.3 N are needed, more than their 3 N.
+    expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});
+    // 1.8 N are needed, and the point and the line alone can give 2 N.
+    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});
 }
 
 TEST(Primitives, CoincidentAndOppositeOnesAreOne) {
@@ -133,7 +137,7 @@ TEST(Primitives, ADamperIsAShiftedStifferSpring) {
     EXPECT_EQ(effective_spring(coupling, {1, 1, 1}, {}, {1, 1, 1}, 1e-3).centre, vec3(1, 1, 1));
 }
 
-// ---- refused input ----------------------------------------------------------------------------------------
+// ---- primitives that are refused --------------------------------------------------------------------------
 
 TEST(Primitives, WhatHasAFaultIsRefusedByNameAndLeavesTheSet) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

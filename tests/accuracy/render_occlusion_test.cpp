@@ -1,4 +1,5 @@
-// Compares form factors with closed forms and with counts of rays.
+// Compares form factors (the share of the sky that a block hides from a point) with closed forms and with
+// counts of rays.
 #include "render/occlusion.h"
 
 #include <gtest/gtest.h>
@@ -12,10 +13,10 @@ constexpr vec3 up{0, 1, 0};
 constexpr double endless = 1e7, close_by = 1e-4;
 
 TEST(FormFactor, ARightAngleTakesExactlyHalf) {
-    // A point of the floor beside an endless wall.
+    // A point of the floor close beside an endless wall.
     const Block wall{{-endless, -1, -endless}, {0, endless, endless}};
     EXPECT_NEAR(form_factor(wall, {close_by, 0, 0}, up), 0.5, 1e-9);
-    // A point of the wall above an endless floor.
+    // A point of the wall close above an endless floor.
     const Block floor{{-endless, -1, -endless}, {endless, 0, endless}};
     EXPECT_NEAR(form_factor(floor, {0, close_by, 0}, {1, 0, 0}), 0.5, 1e-9);
 }
@@ -34,7 +35,7 @@ TEST(FormFactor, ARoofOverTheCornerOfARectangle) {
         const double a = size.x / 2, b = size.z / 2;  // edge lengths divided by the distance of 2 m
         const double ra = std::sqrt(1 + a * a), rb = std::sqrt(1 + b * b);
         const double exact = (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb)) / (2 * pi);
-        // From below only the lower face is visible.
+        // From below only the block's lower face is visible.
         EXPECT_NEAR(form_factor({{0, 2, 0}, vec3(0, 2, 0) + size}, {0, 0, 0}, up), exact, 1e-12);
     }
 }

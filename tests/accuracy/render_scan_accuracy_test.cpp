@@ -81,7 +81,7 @@ TEST_F(ScanSurface, HasTheSilhouetteAndDepthOfTheSphere) {
 }
 
 TEST_F(ScanSurface, MeetsAPlaneWithinTheRoundingOfItsSamples) {
-    // The density is linear, so the trilinear cells are exact.
+    // The density is linear, so trilinear interpolation within the cells is exact.
     const auto plane = sampled(n, [](fvec3 at) { return 0.5F + (0.3F * at.x + 0.2F * at.y - at.z) / 100; });
     const auto scan = surface_of(plane, n);
     (void)drawn(scan);

@@ -46,8 +46,8 @@ TEST(TactileBody, RaisedArmsMoveForwardsAndUp) {
     EXPECT_EQ(posed(pose, Part::front, {0, 1, 0.1}), vec3(0, 1, 0.1));
 }
 
-/// Largest error of the felt position (m), over a grid of intended positions among the actuators of the chest
-/// or the back.
+/// Largest error (m) of the place at which a touch is felt between actuators of the chest or the back, over a
+/// grid of intended places.
 double max_error(const Layout& layout, bool front, double sigma) {
     vec2 low(1e9), high(-1e9);
     for (std::size_t i = 0; i < layout.actuators.size(); ++i) {
@@ -131,7 +131,7 @@ TEST(TactilePhantom, AnyLayoutAndAnyPlaceGiveSharesThatSumToOne) {
             a.place.at = {random.uniform(-1, 1), random.uniform(0, 2), a.place.part == Part::front ? z : -z};
         }
         const auto layout = make_layout("random", Torso(0.16, 0.115), actuators);
-        if (!layout) continue;  // two actuators in one place are refused
+        if (!layout) continue;  // refused, because two actuators are in one place
         const BodyPoint point{Part::front,
                               {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)}};
         const auto place = layout->chart_place(point);

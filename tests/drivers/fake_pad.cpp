@@ -13,7 +13,7 @@
 namespace fake {
 namespace {
 
-// ---- models -----------------------------------------------------------------------------------------------
+// ---- models of pads ---------------------------------------------------------------------------------------
 
 Model xbox(std::uint16_t product, std::uint16_t version, const char* name, bool motors) {
     return {.vendor = 0x045e,
@@ -75,7 +75,7 @@ std::vector<guint8> answer(const Pad& pad, unsigned number, std::size_t size) {
     return out;
 }
 
-// ---- motors -----------------------------------------------------------------------------------------------
+// ---- motors of a pad --------------------------------------------------------------------------------------
 
 /// Adds a line to the file about the motors with a single write, since several threads write.
 void tell(const Pad& pad, const std::string& line) {

@@ -73,7 +73,8 @@ std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
     return {};
 }
 
-/// Kills the process when its time has come and checks its log. Returns true if the log has no fault.
+/// Kills the recording process when its time has come and checks its log. Returns true if the log has no
+/// fault.
 bool end(Runner& runner, int run, Tick& max_lost) {
     sleep_until_ns(runner.kill_at_ns);
     ::kill(runner.process, SIGKILL);

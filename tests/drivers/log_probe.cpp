@@ -79,7 +79,7 @@ struct Followed {
     std::deque<std::string> states;  ///< states of the match, a row of CSV each, the newest last
 };
 
-/// Replays what has been added to the log. Returns false while there is no log.
+/// Replays what has been added to the log since the last call. Returns false while there is no log.
 bool catch_up(const char* path, Followed& followed) {
     constexpr Tick every = 32;
     constexpr std::size_t kept = 16;

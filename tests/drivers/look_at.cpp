@@ -24,7 +24,7 @@ namespace {
 struct Display;
 using Window = unsigned long;
 
-/// The beginning of Xlib's XImage.
+/// The beginning of Xlib's XImage, since Xlib's headers need not be installed.
 struct Image {
     int width, height, offset, format;
     unsigned char* data;

@@ -56,7 +56,7 @@ struct Orders {
 
 class Probe {
 public:
-    /// Simulates eight milliseconds of a match.
+    /// Simulates eight milliseconds of a match, the length of one frame of the motors.
     void step(Orders& orders) {
         const auto& pads = reader_.poll();
         for (std::uint32_t p = 0; p < felt_.size(); ++p) {

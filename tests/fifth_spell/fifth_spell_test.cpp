@@ -33,7 +33,7 @@ std::uint32_t number_of_mend() {
     return 1000;
 }
 
-/// A match in which player 1, who is hurt, is moved by the inputs in `frame`.
+/// A match in which player 1 has lost health. The test's inputs in `frame` move that player.
 struct Patient {
     Simulation match{data_of(), {1, {{.player = 0, .kind = input::DeviceKind::script, .name = "one"}}}};
     input::InputFrame frame;

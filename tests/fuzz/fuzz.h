@@ -14,7 +14,7 @@
 
 namespace thaum::fuzz {
 
-/// Folders for the files of a reader.
+/// Folders in which the test of a reader puts its files.
 struct Places {
     std::filesystem::path assets;   ///< copy of the assets that the reader may change
     std::filesystem::path scratch;  ///< an empty folder for temporary files

@@ -16,7 +16,7 @@ namespace {
 using gesture::Gesture;
 using gesture::StrokePoint;
 
-/// An arc of the given angle (rad), with force.
+/// A stroke along an arc of the given angle (rad), with a force.
 std::vector<StrokePoint> arc(double angle) {
     std::vector<StrokePoint> points;
     for (int i = 0; i < 40; ++i) {
@@ -85,8 +85,8 @@ std::vector<std::string> gesture_seeds(const Places&) {
             gesture::to_file({"circle", {.direction_sensitive = false, .closed = true}, {arc(2 * pi)}})};
 }
 
-/// Recorded gestures of two players as in the header of a log: a line with the name, then the text of a
-/// gesture. If they are accepted, a match with them must be able to read a stroke.
+/// Recorded gestures of two players, as they are written in the header of a match's log: a line with the
+/// name, then the text of a gesture. If they are accepted, a match with them must be able to read a stroke.
 Outcome read_profile(const std::string& input, const Places& places) {
     static const auto data = game::load_match_data(places.assets, {});
     if (!data) return {.fault = data.error().message};

@@ -7,7 +7,8 @@
 namespace thaum::fuzz {
 namespace {
 
-constexpr std::size_t head = 20, hash_size = 8;  // sizes of a saved fluid's head and hash (bytes)
+// Sizes (bytes) of a saved fluid's first part, before the data, and of its hash, at the end.
+constexpr std::size_t head = 20, hash_size = 8;
 
 std::string text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

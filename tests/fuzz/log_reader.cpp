@@ -1,5 +1,5 @@
-// Fuzzes the reader of match logs. Checksums detect plain damage. So most mutants get correct checksums, and
-// reach zstd, the decoder, and the match that the header describes.
+// Fuzzes the reader of match logs. The log's checksums detect plain damage. So most mutants get correct
+// checksums, and get as far as zstd, the decoder, and the match that the header describes.
 #include <zstd.h>
 
 #include <cstring>
@@ -86,15 +86,16 @@ std::string body_of(const Bytes& log) {
     return string_of(std::span(log).subspan(detail::preamble_size, samples::u32_at(log, 12)));
 }
 
-/// The log with another body of its header, with correct size and checksum. The body's checksum is the salt
-/// of the blocks' checksums, so these are corrected, too.
+/// The log with another body (the part after size and checksum) of its header. Both are corrected. The body's
+/// checksum also enters the checksums of all blocks, so these are corrected, too.
 std::string with_body(const Bytes& log, const std::string& body) {
     Bytes out(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(detail::preamble_size));
     const auto bytes = std::as_bytes(std::span(body));
     out.insert(out.end(), bytes.begin(), bytes.end());
     samples::put_at(out, 12, static_cast<std::uint32_t>(body.size()));
     samples::put_at(out, 16, hash_bytes(bytes, hash_bytes(std::span(out).first(16))));
-    Bytes signing = out;  // a copy of the header, from which signed_block reads the salt
+    // A copy whose header gives signed_block the value that enters the checksums of blocks.
+    Bytes signing = out;
     for (const auto& place : samples::blocks_of(log)) {
         const auto block = std::span(log).subspan(place.begin, place.end - place.begin);
         const auto at = signing.size();

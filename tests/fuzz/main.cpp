@@ -40,7 +40,8 @@ using Clock = std::chrono::steady_clock;
 constexpr auto max_work = std::chrono::seconds(10), max_time = std::chrono::seconds(600);
 /// Limit of address space in builds without sanitizers (bytes)
 constexpr rlim_t max_memory = rlim_t{1} << 30U;
-/// Number of runs above which both accepted and refused inputs must have occurred.
+/// From this many runs on, more than 1 % of the inputs must be accepted and more than 1 % refused. Otherwise
+/// the mutants are too one-sided.
 constexpr std::uint64_t proof = 100;
 
 /// Progress of the child process, in shared memory.
@@ -183,8 +184,8 @@ std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
     for (const auto& file : files) {
         if (auto content = read_text_file(file, 1U << 20U)) seeds.push_back(std::move(*content));
     }
-    // The largest seed is a whole file. It is used several times, because mutants of a whole file get further
-    // than those of a fragment.
+    // The largest seed (real input from which mutants are made) is a whole file. It is used several times,
+    // because mutants of a whole file get further than those of a fragment.
     constexpr std::size_t most_of_them = 6;
     const auto& whole = *std::max_element(seeds.begin(), seeds.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });

@@ -11,7 +11,7 @@ std::size_t below(Random& random, std::size_t n) {
     return n == 0 ? 0 : static_cast<std::size_t>(random.below(n));
 }
 
-/// A random piece of `from`, short in most cases.
+/// A random piece of the text or bytes `from`, short in most cases.
 std::string piece(const std::string& from, Random& random) {
     const auto at = below(random, from.size());
     const auto longest = random.below(4) == 0 ? from.size() : std::size_t{200};

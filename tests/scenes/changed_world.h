@@ -16,7 +16,7 @@ enum class WorldChange : std::uint8_t { max_force, off_and_on, stale_model, spri
 inline constexpr std::array world_changes{WorldChange::max_force, WorldChange::off_and_on,
                                           WorldChange::stale_model, WorldChange::spring};
 
-/// Loose, typical and firm hands.
+/// Hands that hold the device loosely, as most people do, and firmly.
 inline constexpr std::array pressing_hands{haptics::Hand{.mass = 0.55, .stiffness = 135, .damping = 6.5},
                                            haptics::Hand{},
                                            haptics::Hand{.mass = 0.3, .stiffness = 1500, .damping = 30}};
@@ -40,7 +40,7 @@ public:
         created_ = max_created_ = max_jump_ = 0;
     }
 
-    /// Makes a change and undoes it, with 150 ticks after each.
+    /// Makes a change of the conditions and undoes it, with 150 ticks after each.
     void change(WorldChange change) {
         for (const bool back : {false, true}) {
             switch (change) {

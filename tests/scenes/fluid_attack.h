@@ -16,14 +16,14 @@ namespace thaum::fluid {
 struct AttackPlan {
     double speed = 1e4;  ///< largest speed that one push gives to a cell (m/s)
     bool jumps = true;   ///< true: the viscosity jumps to another value now and then
-    bool bowl = false;   ///< true: the fluid is in a bowl instead of a box
-    bool slips = false;  ///< true: the bowl's wall is free-slip
+    bool bowl = false;   ///< true: the fluid is in a hemispherical bowl instead of a box
+    bool slips = false;  ///< true: the fluid slips along the bowl's wall without friction
 };
 
 /// Bound on the divergence in a bowl, where the pressure is solved iteratively.
 inline constexpr double bowl_divergence = 1e-6;
 
-/// Bounds that must hold after each step.
+/// Bounds that must hold after each step under attack, that is with hostile input.
 struct AttackBounds {
     double divergence = 1e-6;  ///< largest divergence times cell size h, relative to the speed after the step
     double energy_growth = 1e-5;  ///< relative growth of energy in a step without forces
@@ -61,7 +61,7 @@ inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uin
     return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};
 }
 
-/// A random value that is NaN, infinite or absurdly large.
+/// A random number that is NaN, infinite or absurdly large.
 inline double absurd_number(Attack& attack) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     constexpr std::array numbers{std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e300,
@@ -69,7 +69,7 @@ inline double absurd_number(Attack& attack) {
     return numbers[attack.random.below(numbers.size())];
 }
 
-/// A push with one absurd number in its position, radius or impulse.
+/// A push on the fluid with one such absurd number in its position, radius or impulse.
 inline Push absurd_push(Attack& attack) {
     Push result = flows::random_push(attack.fluid.settings, 1, attack.random);
     const auto which = static_cast<int>(attack.random.below(7));
@@ -83,7 +83,8 @@ inline Push absurd_push(Attack& attack) {
     return result;
 }
 
-/// A push of any size anywhere in the box or beside it.
+/// A push on the fluid, of any size, anywhere in the box or beside it: as if by a ladle that jumps from place
+/// to place.
 inline Push teleported_ladle(Attack& attack) {
     const double h = attack.fluid.lattice.h;
     Push result{.radius = attack.random.uniform(0, 0.5)};

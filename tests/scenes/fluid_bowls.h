@@ -80,7 +80,7 @@ inline Expected<Fluid> start(const WalledFlow& flow, const Scheme& scheme, int n
     return fluid;
 }
 
-/// Acceleration by the force on each face (m/s^2).
+/// Acceleration of the fluid by the driving force, on each face (m/s^2).
 inline std::array<Samples, 3> forces_of(const WalledFlow& flow, const Fluid& fluid) {
     std::array<Samples, 3> result;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -95,7 +95,7 @@ inline std::array<Samples, 3> forces_of(const WalledFlow& flow, const Fluid& flu
     return result;
 }
 
-/// Applies the force for a step of dt (s).
+/// Lets the driving force act on the fluid for a step of dt (s).
 inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         std::ranges::transform(force[axis], fluid.state.push[axis].begin(),
@@ -104,7 +104,7 @@ inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) 
     fluid.state.asleep = false;
 }
 
-// ---- between two cylinders --------------------------------------------------------------------------------
+// ---- a flow between two cylinders -------------------------------------------------------------------------
 
 inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< radii of the cylinders (m)
 inline constexpr double couette_viscosity = 0.01, couette_swirl = 0.01;
@@ -231,12 +231,12 @@ inline Expected<Fluid> swirling_ball(int n) {
     return fluid;
 }
 
-/// Relative L2 error of the velocity at the time swirl_end.
+/// Relative L2 error of the velocity of the swirl in a ball, at the time swirl_end.
 inline double swirl_error(const Fluid& fluid) {
     return faces_error(fluid, in_ball, [](vec3 place) { return ball_swirl(place, swirl_end); });
 }
 
-// ---- errors -----------------------------------------------------------------------------------------------
+// ---- errors of a flow in a bowl ---------------------------------------------------------------------------
 
 inline double bowl_error(const Fluid& fluid, double time) {
     return faces_error(

@@ -163,7 +163,7 @@ inline Flow taylor_green_box(int first) {
     return flow;
 }
 
-// ---- walls and viscosity ----------------------------------------------------------------------------------
+// ---- flows with walls and viscosity -----------------------------------------------------------------------
 
 /// Flow between two plates 1 m apart. The upper plate moves at 1 m/s from the start. Uniform along x
 /// and z.
@@ -185,7 +185,7 @@ inline Flow couette_start() {
     return flow;
 }
 
-/// The vortex in the box with nu dt / h^2 = `ratio`, so viscous that one step may stop it completely.
+/// The vortex in the box, in a fluid so viscous that one step may stop it completely: nu dt / h^2 = `ratio`.
 inline Flow high_viscosity(double ratio, int n) {
     Flow flow = taylor_green_box(0);
     flow.name = "high_viscosity";
@@ -226,7 +226,8 @@ inline Expected<Fluid> finer_double_shear(int n) {
     return fluid;
 }
 
-/// Relative L2 error of double_shear at its end against finer_double_shear.
+/// Relative L2 error of a double shear layer at its end, compared with the same flow on a finer grid
+/// (finer_double_shear).
 inline double shear_error(const Fluid& fluid, const Fluid& finer) {
     const auto reference = [&](std::size_t axis, vec3 place) {
         const vec3 cell = place / finer.lattice.h - finer.place(axis);
@@ -244,7 +245,7 @@ inline double shear_error(const Fluid& fluid, const Fluid& finer) {
     return std::sqrt(off / of);
 }
 
-// ---- the cavity -------------------------------------------------------------------------------------------
+// ---- the cavity with a moving lid -------------------------------------------------------------------------
 
 /// Reynolds numbers of ghia.h for a square cavity of 1 m, one cell deep, with a lid that moves at 1
 /// m/s.
@@ -318,7 +319,7 @@ inline Profile cavity_profile(const Fluid& fluid, std::size_t axis, std::size_t 
     return with_walls(result, 0, lid(along));
 }
 
-/// Root mean square error over Ghia's tables (m/s).
+/// Root mean square error of a cavity's velocity against Ghia's tables (m/s).
 inline double cavity_error(const Fluid& fluid, std::size_t which) {
     const Profile u = cavity_profile(fluid, 0, 1, 0.5), v = cavity_profile(fluid, 1, 0, 0.5);
     double squares = 0;
@@ -336,13 +337,13 @@ inline double cavity_error(const Fluid& fluid, std::size_t which) {
     return std::sqrt(squares / points);
 }
 
-// ---- substances -------------------------------------------------------------------------------------------
+// ---- transport of substances by a rotation ----------------------------------------------------------------
 
 /// Velocity of a rotation in 1 s about the axis (0.5, 0.5, z). The box is periodic, so that each row carries
 /// as much out as in. Each component is constant along its own direction, so the divergence is zero on any
 /// grid.
 inline vec3 turning(vec3 place) { return 2 * pi * vec3(0.5 - place.y, place.x - 0.5, 0); }
-/// Radius within which everything stays in the box (m).
+/// Radius around the axis within which everything stays in the box as it rotates (m).
 inline constexpr double turn_radius = 0.5;
 /// Radius within which nothing was ever near the edge of the box (m). At the edge the tail of the Gaussian,
 /// 0.04 high, is cut off, and any scheme spreads this cut over a few cells.
@@ -405,10 +406,10 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
     return result;
 }
 
-// ---- the bowl ---------------------------------------------------------------------------------------------
+// ---- a rotation that a bowl's wall slows down -------------------------------------------------------------
 
 /// Radius of the bowl: half a ball, open at the top along y, in a box half as high as wide.
-inline constexpr double bowl_radius = 0.46;  ///< radius (m)
+inline constexpr double bowl_radius = 0.46;  ///< radius of the bowl (m)
 inline constexpr double bowl_viscosity = 0.01, bowl_end = 1;
 /// Initial angular speed (rad/s), so small that advection is negligible. The fluid rotates, and the wall
 /// slows it down.
@@ -465,7 +466,7 @@ inline vec3 bowl_spin_down(vec3 place, double time) {
     return glm::cross(vec3(0, bowl_turn * speed, 0), off);
 }
 
-// ---- the cauldron -----------------------------------------------------------------------------------------
+// ---- a cauldron with three substances ---------------------------------------------------------------------
 
 /// 1 in the solid part of the cauldron, 0 elsewhere: a hemisphere below a cylinder that is open at the top,
 /// in the unit box.
@@ -502,7 +503,7 @@ inline void stir(Fluid& fluid, int steps_before) {
         push(fluid, {vec3(0.5) + 0.25 * side * out, 0.1, 1e-4 * side * along});
 }
 
-// ---- rest and attack --------------------------------------------------------------------------------------
+// ---- layers at rest, and random pushes --------------------------------------------------------------------
 
 /// Three substances in layers, heavier ones below, which must stay at rest.
 inline Expected<Fluid> resting(const Scheme& scheme, int n) {

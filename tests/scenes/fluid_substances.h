@@ -12,7 +12,7 @@
 
 namespace thaum::fluid::flows {
 
-// ---- heavy and light --------------------------------------------------------------------------------------
+// ---- heavy and light substances that fall and rise --------------------------------------------------------
 
 /// A light lump near the floor, a heavy lump near the top, or a heavy layer with a tilted surface.
 enum class Weighing : std::uint8_t { plume, settling, sloshing };
@@ -22,7 +22,8 @@ inline constexpr std::string_view name_of(Weighing weighing) {
     return names[static_cast<std::size_t>(weighing)];
 }
 
-inline constexpr double weighing_share = 0.3;  ///< density excess of the substance relative to the base fluid
+/// How much denser the substance is than the base fluid, as a share of the base fluid's density.
+inline constexpr double weighing_share = 0.3;
 
 inline double weighing_density(Weighing weighing, vec3 place, double top) {
     if (weighing == Weighing::sloshing) return place.y < top * (0.5 + 0.4 * (place.x - 0.5)) ? 1 : 0;
@@ -82,7 +83,7 @@ inline void enter(const Fluid& fluid, const StepReport& report, EnergyBalance& b
     balance.rescaled += report.rescaled;
 }
 
-// ---- layers of viscosity ----------------------------------------------------------------------------------
+// ---- layers of different viscosity ------------------------------------------------------------------------
 
 /// A layer of a viscous substance below a thin one, between two plates 1 m apart. The upper plate moves at 1
 /// m/s.
@@ -100,7 +101,8 @@ struct ThickLayer {
 
 inline constexpr double thick_layer_end = 20;  ///< time of the comparison with the steady flow (s)
 
-/// A fluid with the layers of a ThickLayer, initially at rest, uniform along x and z; n must be even.
+/// A fluid with two layers of different viscosity, initially at rest between two plates, uniform along x and
+/// z; n must be even.
 inline Expected<Fluid> layered_couette(const ThickLayer& layer, int n) {
     Flow flow{.fixed = {8, 0, 8}};
     flow.settings.edges = {Edge::periodic, Edge::no_slip, Edge::periodic};
@@ -112,13 +114,13 @@ inline Expected<Fluid> layered_couette(const ThickLayer& layer, int n) {
     return fluid;
 }
 
-/// Relative L2 error of the velocity against the steady flow.
+/// Relative L2 error of the velocity of two layers between plates, compared with the steady flow.
 inline double layers_error(const Fluid& fluid, const ThickLayer& layer) {
     const auto exact = [&](vec3 place) { return vec3(layer.speed(place), 0, 0); };
     return relative_error(fluid, exact, exact);
 }
 
-/// Share of the viscous substance that has left its layer.
+/// Share of the viscous substance that has left its layer, where a perfect solver would keep all of it.
 inline double crept_out(const Fluid& fluid) {
     double out = 0, all = 0;
     each_cell(fluid.lattice, [&](int, int j, int, std::size_t at) {
@@ -129,7 +131,7 @@ inline double crept_out(const Fluid& fluid) {
     return out / all;
 }
 
-// ---- reversed deformation ---------------------------------------------------------------------------------
+// ---- a flow that deforms its contents and back again ------------------------------------------------------
 
 /// LeVeque's flow (1996): it stretches its contents into layers thinner than a cell and back again within
 /// `deformation_end`.

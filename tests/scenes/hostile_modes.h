@@ -19,8 +19,8 @@
 
 namespace thaum::bench {
 
-/// A random strength (N): within what a device can render if `bounded`, else of any size, which may shut a
-/// device off.
+/// A random strength (N). If `bounded`, a device can render it; otherwise it may have any size, and may shut
+/// a device off.
 inline double hostile_strength(Random& random, bool bounded) {
     switch (random.below(8)) {
         case 0: return bounded ? random.uniform(0, 8) : 1e6;
@@ -35,7 +35,7 @@ inline double hostile_strength(Random& random, bool bounded) {
 inline field::TransferFunction hostile_function(Random& random, double from, double to, bool bounded) {
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i) {
-        // Two points at each x make a jump.
+        // Two points at each x make a jump of the curve.
         const double x = from + (to - from) * std::floor(static_cast<double>(i) / 2) / 3;
         points[i] = {x, hostile_strength(random, bounded)};
     }
@@ -78,7 +78,7 @@ private:
     }
 };
 
-/// Which forces act on the hand.
+/// Which forces act on the hand in a run.
 enum class HostileFeel : std::uint8_t {
     all,      ///< all modes act at once
     passive,  ///< all passive modes, and the walls and the resistance of a volume
@@ -99,7 +99,7 @@ struct HostileResult {
     std::uint64_t left_out{};  ///< number of modes that were left out for lack of room, summed over all ticks
 };
 
-/// A hand on a simulated device that feels modes.
+/// A simulated hand on a simulated device that feels random modes.
 class HostileHand {
 public:
     HostileHand(HostileFields& fields, std::uint64_t seed, HostileFeel feel)
@@ -177,8 +177,8 @@ private:
         hand_ = haptics::step(device_, hand_, target_, force);
         const double work = glm::dot(hand_.force, hand_.position - from);
         created_ += work;
-        // At rest no energy is stored. Energy that was dissipated before must not count in favour of the
-        // forces later.
+        // At rest springs and primitives store no energy. What damping has dissipated before must not count
+        // in favour of the forces later.
         if (stored() < 1e-3) created_ = std::max(created_, 0.0);
         given_ += work;
         ++result.ticks;
@@ -233,7 +233,8 @@ private:
     haptics::VolumeFeel volume_{};
     haptics::Servo servo_ = haptics::servo_of(spec(), 1);
     haptics::SimulatedDevice device_ = haptics::simulated_device(spec(), haptics::Hand{});
-    haptics::SimulatedState hand_ = haptics::resting_at({0.06, 0, 0});  ///< starts outside of the solid
+    /// The hand starts outside of the solid.
+    haptics::SimulatedState hand_ = haptics::resting_at({0.06, 0, 0});
     haptics::ServoState state_{};
     haptics::HapticModel model_{};
     vec3 target_{0.06, 0, 0}, aim_{}, before_{}, before_last_{};

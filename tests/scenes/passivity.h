@@ -13,7 +13,7 @@
 
 namespace thaum::bench {
 
-/// Energies from a table of forces.
+/// Energies computed from a table of forces.
 struct PassiveEnergy {
     /// Most energy that passive sources (springs, walls, drag) gave beyond what they received and still
     /// stored (J)
@@ -32,7 +32,7 @@ namespace detail {
 
 /// State of one hand in one tick.
 struct HandRow {
-    vec3 at{};       ///< position of the device (m)
+    vec3 at{};       ///< position of the haptic device's tip (m)
     vec3 passive{};  ///< force by passive sources, such as springs and walls (N)
     vec3 anchor{}, surface{};
     double stiffness{}, booked{};
@@ -69,13 +69,13 @@ public:
     }
 
 private:
-    static constexpr std::size_t count = 16;  // number of columns with numbers
+    static constexpr std::size_t count = 16;  // number of columns with numbers for one hand
     std::array<std::size_t, count> places_{};
     std::size_t cause_{};
 };
 
-/// Energy balance of one hand. A force F acts while the hand moves by dx and the world's end of the spring
-/// moves by da. The energy F dx flows out to the hand, and F da flows in from the world.
+/// Energy balance of one hand. A source's force F acts while the hand moves by dx and the world's end of the
+/// spring moves by da. The energy F dx flows out to the hand, and F da flows in from the world.
 class HandSum {
 public:
     void add(const HandRow& current, PassiveEnergy& out) {

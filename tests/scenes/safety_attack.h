@@ -32,7 +32,7 @@ public:
                 .panic = once_in(panics_),
                 .rearm = once_in(1000)};
     }
-    /// Limits for the last input. The player changes the force limit, too.
+    /// Safety limits that hold for the last input. The player changes the force limit, too.
     const haptics::SafetyLimits& limits() const { return limits_; }
 
 private:
@@ -68,7 +68,7 @@ private:
     }
     vec3 hostile_vector() { return {hostile_number(), hostile_number(), hostile_number()}; }
 
-    /// Part of the force that springs cause: none, all of the requested force `all`, or a random force.
+    /// Part of the requested force `all` that comes from springs: none of it, all of it, or a random force.
     vec3 spring_of(vec3 all) {
         if (kind_ == 0 && once_in(2)) return hostile_vector();
         return kind_ % 2 == 0 ? vec3(0) : all;
@@ -81,11 +81,11 @@ private:
             case 0: return hostile_vector();
             case 1: return once_in(60) ? hostile_vector() : peak * direction_;
             case 2:
-                return 2 * peak * direction_;  // heats the motors
+                return 2 * peak * direction_;  // twice the peak force, which heats the motors
             // A force that alternates its direction.
             case 3: return (at_ / 40 % 2 == 0 ? 3.0 : -3.0) * peak * direction_;
             case 4:
-                return peak * (1 - std::abs(4 * phase - 2)) * direction_;  // a triangular pulse
+                return peak * (1 - std::abs(4 * phase - 2)) * direction_;  // the force is a triangular pulse
             // A force that is held and released.
             case 5: return at_ % 1500 < 300 ? peak * direction_ : vec3(0);
             case 6: return {peak * random_.uniform(-1, 1), 0, peak * random_.uniform(-1, 1)};
@@ -121,7 +121,8 @@ private:
     }
 
     std::uint32_t next_age() {
-        if (lateness_ == 0) return static_cast<std::uint32_t>(random_.below(30));  // the age jumps
+        // The age of the model jumps.
+        if (lateness_ == 0) return static_cast<std::uint32_t>(random_.below(30));
         if (lateness_ > 1 || once_in(60)) return 0;
         return once_in(500) ? std::numeric_limits<std::uint32_t>::max() - 1 : age_ + 1;
     }

@@ -13,15 +13,15 @@
 
 namespace thaum::bench {
 
-/// A flow with the same velocity everywhere.
+/// A flow with the same velocity, viscosity and density everywhere.
 inline haptics::FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
     haptics::FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
     patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
     return patch;
 }
 
-/// A bowl of half an ellipsoid, with as many pieces as a BowlWall has; its rim is at the height of the
-/// origin.
+/// A bowl of half an ellipsoid, whose outline has as many points as a BowlWall can hold. The rim is at the
+/// height of the origin.
 inline haptics::BowlWall round_bowl(double radius, double depth) {
     haptics::BowlWall wall{.points = haptics::wall_points};
     for (std::size_t i = 0; i < haptics::wall_points; ++i) {
@@ -32,7 +32,8 @@ inline haptics::BowlWall round_bowl(double radius, double depth) {
 }
 
 struct StirredWorld {
-    /// Which forces of the fluid act, only passive ones; viscosity only if the flow is at rest.
+    /// Forces of the fluid that act on the hand. Only passive ones are chosen, and viscosity only if the flow
+    /// is at rest.
     haptics::FluidModes modes{};
     double flow{};          ///< largest velocity along each axis, random in each step (m/s)
     bool waves{};           ///< true: pushes on the surface make waves
@@ -165,7 +166,8 @@ private:
     double last_{}, surface_force_{}, height_{};
 };
 
-/// Cases: each passive mode alone, and all modes that can be combined.
+/// Cases for the attack: each passive mode (kind of force) of the fluid alone, and all modes that can be
+/// combined.
 struct StirredCase {
     const char* name{};
     StirredWorld world{};

@@ -45,7 +45,7 @@ struct SwitchedSource {
     vec3 place{};        ///< point towards which the source pulls, or a point of the plane (m)
     vec3 normal{};       ///< direction out of the plane (unit)
     double stiffness{};  ///< force per distance (N/m)
-    double most{};       ///< largest force of the source (N)
+    double most{};       ///< largest force that the source exerts (N)
 
     /// Stored energy with the tip at a position (J).
     double stored(vec3 tip) const {
@@ -61,7 +61,7 @@ struct SwitchedSource {
 /// fall in larger steps, or it would create too much energy (haptics/energy.h, `change_of_fade`).
 inline constexpr double steady_speed = 0.35;
 
-/// Result of one run of random switches.
+/// Result of one run of random switches between passive sources of force.
 struct SwitchRun {
     double most_created{};  ///< energy created by the worst switch (J)
     double mean_created{};  ///< mean energy created by a switch (J)
@@ -155,7 +155,7 @@ private:
         if (just_switched_) run_.max_jump = worse(run_.max_jump, glm::length(force - before_));
         just_switched_ = false;
         const double of_spring = spec_.max_stiffness * glm::length(measured - measured_before_);
-        // A hand that is too fast loses the force at once.
+        // A hand faster than the safety limit loses the force at once.
         const bool too_fast =
             state_.safety.cause == static_cast<std::uint32_t>(haptics::SafetyCause::over_speed);
         if (ticks_ > 1 && !too_fast) {

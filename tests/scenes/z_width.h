@@ -79,7 +79,7 @@ double max_stable(Stable stable) {
     return low;
 }
 
-/// Exact stability limit of the linear sampled loop (N/m).
+/// Exact stability limit of a wall's stiffness in the linear sampled loop (N/m).
 inline double exact_limit(const haptics::DeviceSpec& spec) {
     return max_stable([&spec](double k) { return is_stable(wall_polynomial(spec, k)); });
 }
@@ -105,12 +105,12 @@ inline bool wall_calms_down(const haptics::DeviceSpec& spec, double stiffness, d
     return last <= first;
 }
 
-/// Stability limit of the simulated device (N/m).
+/// Stability limit of a wall's stiffness at the simulated device (N/m).
 inline double simulated_limit(const haptics::DeviceSpec& spec, double kick = 1e-4) {
     return max_stable([&spec, kick](double k) { return wall_calms_down(spec, k, kick); });
 }
 
-// ---- with damping and the passivity controller ------------------------------------------------------------
+// ---- a wall with damping and the passivity controller -----------------------------------------------------
 
 struct Wall {
     double stiffness{};  ///< stiffness of the wall (N/m)
@@ -119,7 +119,7 @@ struct Wall {
     double controller{};
 };
 
-/// Results of a device that lands on a wall and is then pressed into it.
+/// Results of a simulated device that lands on a wall and is then pressed into it.
 struct Pressed {
     double depth{};    ///< mean depth in the last second (m)
     double shake{};    ///< largest deviation from the mean depth in the last second (m)

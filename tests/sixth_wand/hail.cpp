@@ -17,7 +17,7 @@ struct HailData {
     double fall{};         ///< downward acceleration (m/s^2)
     Tick life{};
     double frost_damage{};  ///< harm to a wizard near whom a lump lands (HP)
-    double frost_radius{};  ///< reach of the frost (m)
+    double frost_radius{};  ///< distance from the lump up to which wizards are harmed by its frost (m)
     EventKind hit{}, frost{};
 };
 
@@ -27,7 +27,7 @@ struct Hail {
     vec3 velocity{};  ///< velocity (m/s, world)
     Tick dies_at{};
     std::uint32_t player{};
-    std::uint32_t ignores{};  ///< key of the shooter's body
+    std::uint32_t ignores{};  ///< key of the shooter's body, which the lump does not strike
     THAUM_COMPONENT(Hail, position, velocity, dies_at, player, ignores);
 };
 

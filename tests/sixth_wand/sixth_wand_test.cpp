@@ -217,8 +217,8 @@ std::uint32_t hail_hits(const Simulation& match) {
     return match_stats[0][cause].hits + match_stats[1][cause].hits;
 }
 
-/// Records two bots whose every shot is a hundred lumps at once, until some shots have hit. Returns the
-/// largest number of events of one tick.
+/// Records a match of two bots whose every shot with the hail wand is a hundred lumps at once, until some
+/// shots have hit. Returns the largest number of events of one tick.
 std::uint64_t record_attack(const std::filesystem::path& file, std::uint32_t& hits) {
     auto overrides = only_hail();
     for (const auto* more : {"hail.shot.lumps=100", "hail.shot.per_s=1", "hail.energy.cap=100000",

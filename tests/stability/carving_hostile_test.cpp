@@ -54,7 +54,7 @@ TEST(CarvingHostile, UndoIsExactUnderTenThousandRandomEdits) {
 TEST(CarvingHostile, UndoIsExactWithLittleMemory) {
     Voxels body = random_block({25, 17, 24}, 2);
     CarvingHistory history = make_history(body.view(), 20 * sizeof(BrickCopy));
-    std::vector<std::uint64_t> seen{hash_of(body)};  // hashes after each edit
+    std::vector<std::uint64_t> seen{hash_of(body)};  // hashes of the body after each edit
     Random random = random_stream(24, 11);
     for (int i = 0; i < 3000; ++i) {
         const Tool tool = random_tool(random);

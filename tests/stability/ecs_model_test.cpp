@@ -45,7 +45,7 @@ void create(World& world, Models& models, Random& random, double value) {
     models[e] = m;
 }
 
-/// Toggles a component of an entity, or destroys the entity.
+/// Adds a component to an entity or removes it, or destroys the entity, in the World and in the models alike.
 void change(World& world, Models& models, Random& random, double value) {
     auto it = models.begin();
     std::advance(it, static_cast<std::ptrdiff_t>(random.below(models.size())));

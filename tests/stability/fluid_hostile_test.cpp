@@ -88,8 +88,8 @@ TEST(FluidHostile, ASemiLagrangianStepIsCloseToFineSteps) {
     EXPECT_LE(sum / pushes, 0.04);
 }
 
-/// A flow stopped by viscosity must be exactly zero, and not fade into subnormal numbers. Diffusion
-/// continues.
+/// Viscosity stops the flow. The velocity must then be exactly zero, and not fade into subnormal numbers,
+/// which are slow. Diffusion of the substance continues.
 TEST(FluidHostile, StoppedFlowIsExactlyZeroWhileASubstanceDiffuses) {
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 12);
     settings.substances = {Substance{.diffusion = 1e-4}};

@@ -138,7 +138,7 @@ TEST(SpringSurfaceStability, ProbesThatAreNotFiniteAreAbsent) {
     EXPECT_TRUE(all_finite(surface));
 }
 
-/// Whether the surface is equal to its eight symmetric images.
+/// Whether the surface equals its eight mirror images and rotations.
 bool has_all_mirrors(const SpringSurface& surface) {
     const SpringSurfaceSettings& s = surface.settings;
     const std::size_t last = s.nodes - 1;

@@ -19,10 +19,10 @@ vec3 vector_within(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- the loop through the fluid ---------------------------------------------------------------------------
+// ---- the feedback loop of hand and fluid ------------------------------------------------------------------
 
-/// A fluid reduced to one mass. The hand's push acts in the step after the motion, and the velocity is read
-/// at the end of that step.
+/// A fluid reduced to one mass, as a model of its delay: the hand's push acts one step after the motion, and
+/// the velocity is read at the end of that step.
 struct DelayedFluid {
     double mass{};  ///< mass of the fluid (kg)
     vec3 velocity{}, pushed{}, coming{};
@@ -35,8 +35,8 @@ struct DelayedFluid {
     }
 };
 
-/// Velocity of the flow after some steps, 1 at the start (m/s). hand_mass 0: the hand is held fixed. `told`:
-/// fluid mass given in the model (kg).
+/// Speed of the flow relative to the hand after some steps (m/s); 1 at the start. `told` is the mass of the
+/// fluid that the hand's model states (kg), `mass` the true one. If hand_mass is 0, the hand is held fixed.
 double flow_after(int steps, double told, double mass, double hand_mass) {
     StirringRig rig;
     rig.servo.max_damping = hand_mass > 0 ? 4 : 1e9;
@@ -71,7 +71,7 @@ TEST(FluidTouchHostile, TheLoopThroughTheFluidDoesNotRing) {
     }
 }
 
-// ---- energy -----------------------------------------------------------------------------------------------
+// ---- energy at a stirring hand ----------------------------------------------------------------------------
 
 /// A device with limits so high that the hand always gets all energy that the fluid gives. Otherwise the
 /// balance of energy would be wrong.
@@ -122,7 +122,7 @@ FlowPatch nasty_patch(Random& random) {
     return patch;
 }
 
-/// A fluid with all modes, a surface and a wall. Its counts may be out of range.
+/// A fluid in which all forces, a surface and a wall act on the hand. Its counts may be out of range.
 FluidTouch fluid_with_everything(Random& random) {
     FluidTouch fluid = some_fluid();
     fluid.number = random.below(3);

@@ -23,7 +23,8 @@ inline constexpr double fastest_wizard = 30;  // largest allowed speed (m/s); a 
 inline constexpr double most_created = 0.02;
 // Largest energy that active sources (forces that push the hand by themselves) may give in about a second (J)
 inline constexpr double max_given = 1.0;
-// Speed of a jump of 10 cm within a tick, averaged over the time in which the force follows (m/s).
+// Speed of a hand that jumps by 10 cm within a tick, averaged over the 30 ms in which the force follows
+// (m/s).
 inline constexpr double jump_speed = 0.1 / 0.03;
 // Index of the arm of player 0 among the devices; the arm of player 1 is 3.
 inline constexpr std::uint32_t arm_device = 2;
@@ -186,7 +187,8 @@ struct HandsRig {
     }
 };
 
-/// Arm sample for a tick whose force used the newest model.
+/// Sample of an arm (a haptic device) at a place, for a tick in which the arm's force came from the newest
+/// haptic model.
 inline input::DeviceSample arm_sample(vec3 place) {
     input::DeviceSample sample;
     for (int axis = 0; axis < 3; ++axis)

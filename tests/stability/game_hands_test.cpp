@@ -36,7 +36,7 @@ class StressedHands : public testing::TestWithParam<StressedWand> {};
 INSTANTIATE_TEST_SUITE_P(Each, StressedHands, testing::ValuesIn(stressed_wands),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// ---- poses ------------------------------------------------------------------------------------------------
+// ---- impossible poses of an arm ---------------------------------------------------------------------------
 
 TEST_P(StressedHands, StayTameForAnyPosesOfAnArm) {
     HandsRig rig({}, 1);
@@ -96,7 +96,7 @@ TEST_P(StressedHands, StayTameWhileShakingAtTenMetresASecond) {
     }
 }
 
-/// Moves the simulated hand with mouse and wheel.
+/// The mouse and its wheel move the simulated hand, by any numbers.
 TEST_P(StressedHands, StayTameForAnyMouseInput) {
     HandsRig rig;
     Random random = random_stream(9, 1);
@@ -116,7 +116,7 @@ TEST_P(StressedHands, StayTameForAnyMouseInput) {
     rig.watch.expect_tame();
 }
 
-// ---- stiffness --------------------------------------------------------------------------------------------
+// ---- stiffness of the lifting spring ----------------------------------------------------------------------
 
 TEST(LiftStress, StaysBoundedForAnyStiffnessAndMass) {
     for (const double stiffness : {1.0, 4000.0, 1e5, 1e6}) {
@@ -164,7 +164,7 @@ TEST(SwingStress, StaysBoundedForAnyStiffness) {
     }
 }
 
-// ---- held things ------------------------------------------------------------------------------------------
+// ---- things that hands hold -------------------------------------------------------------------------------
 
 /// A thing wedged between two fixed blocks and the wall is pulled in all directions.
 TEST(LiftStress, AWedgedThingGoesThroughNothing) {
@@ -310,7 +310,7 @@ TEST_P(StressedHands, StayTameWhenAnArmVanishesAndComesBackElsewhere) {
         rig.run(300);
         there = false;
         rig.run(gone);
-        // For 250 ms forces are off, then the simulated hand takes over.
+        // When an arm vanishes, forces are off for 250 ms, then the simulated hand takes over.
         EXPECT_TRUE(gone < 60 || gone > 250 || rig.hand_state(0).servo.safety.output == vec3(0));
         there = true;
         place = {0.06, 0.04, -0.03};
@@ -362,7 +362,7 @@ public:
     std::uint64_t differing_forces() const { return servo_->faults().differing; }
 
 private:
-    /// Plays one tick. Returns the magnitude of the force (N).
+    /// Plays one tick of the arm. Returns the magnitude of its force (N).
     double step() {
         const double x = shaken(++tick_, 0.2, 0.04);
         input::ArmReading reading{.time_ns = now_ns_ += 1'000'000};

@@ -96,15 +96,15 @@ TEST(GameReplay, WorldsSideBySideOnThreadsDoNotDisturbEachOther) {
     std::array<Tick, 4> results{};
     std::vector<std::jthread> threads;
     for (auto& result : results) threads.emplace_back([&result] { result = first_difference(*fresh(), 0); });
-    threads.clear();  // waits for all threads to end
+    threads.clear();  // destroys the threads, which waits for them to end
     for (const auto result : results) EXPECT_EQ(result, length);
 }
 
 TEST(GameReplay, OneCorruptedValueIsDetected) {
     const auto match = fresh();
     ASSERT_EQ(first_difference(*match, 0, 1000), length);
-    // A value of Gaze is unsuitable: when the view turns, rounding may remove a changed last bit before the
-    // next hash.
+    // The changed value must not be one of Gaze (the direction of view): when the view turns, rounding may
+    // remove a changed last bit before the next hash.
     auto& health = match->world_to_change().get<Health>(wizard_of(match->world(), 0));
     health.points = std::nextafter(health.points, 0.0);
     EXPECT_LT(first_difference(*match, 1000, 1100), length);

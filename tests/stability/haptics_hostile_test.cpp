@@ -80,7 +80,7 @@ TEST(HapticsHostile, APassiveHandAndDeviceNeverGainEnergy) {
     }
 }
 
-// ---- coupling ---------------------------------------------------------------------------------------------
+// ---- the coupling of hand and object ----------------------------------------------------------------------
 
 double pair_energy(const Coupling& c, double mass, const CouplingState& s) {
     const vec3 e = s.hand - s.object;
@@ -120,7 +120,8 @@ TEST(HapticsHostile, ACouplingToAStillHandNeverGainsEnergy) {
 }
 
 TEST(HapticsHostile, WhateverTheHandDoesTheObjectStaysNearIt) {
-    // A hand that jumps within a box of 2 m, and rests in between, so that only the spring moves the object.
+    // A hand that jumps to a random place in a box of 2 m at each step, and rests within the step, so that
+    // only the spring moves the object.
     Random random{21};
     for (const double k : {10.0, 4e3, 1e6}) {
         for (const double m : {1e-3, 1.0, 1e3}) {
@@ -134,8 +135,9 @@ TEST(HapticsHostile, WhateverTheHandDoesTheObjectStaysNearIt) {
                 ASSERT_TRUE(is_finite(s.object) && is_finite(s.object_velocity));
                 farthest = std::max(farthest, glm::length(s.object));
             }
-            // The worst case of an oscillator driven by jumps of size 1: the sum of a geometric series in
-            // exp(-pi zeta ...).
+            // Worst case for the damping ratio 0.2: each jump of the hand by 1 comes just when it amplifies
+            // the oscillation. The overshoots then form a geometric series, whose sum contains 1 / tanh(pi
+            // 0.2 / 2).
             EXPECT_LE(farthest, 2 * std::sqrt(3.0) / std::tanh(pi * 0.2 / 2)) << k << " " << m;
         }
     }

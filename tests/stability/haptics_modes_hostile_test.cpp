@@ -30,8 +30,8 @@ TEST(HapticModesHostile, AllModesTogetherStayWithinTheCaps) {
         EXPECT_EQ(result.left_out, 0U);
         EXPECT_LE(result.largest, hand.cap() * (1 + 1e-12));
         EXPECT_GT(result.felt, 0.2 * static_cast<double>(result.ticks));
-        // Modes that push are active sources, which may give half a joule a second. Each choice of modes is a
-        // switch, which may give energy once.
+        // Modes that push the hand by themselves are active sources, which may give half a joule a second.
+        // Each choice of other modes is a switch of the source, which may give energy once.
         EXPECT_LE(result.max_given, active_budget + 2 * switch_energy);
     }
 }

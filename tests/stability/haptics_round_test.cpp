@@ -18,7 +18,7 @@ namespace {
 
 using namespace round_rig;
 
-// ---- every shape ------------------------------------------------------------------------------------------
+// ---- tips in bodies of every shape ------------------------------------------------------------------------
 
 /// A convex body, described by the half-spaces and round solids that bound it. Checks a proxy without the
 /// code under test.
@@ -73,8 +73,8 @@ double depth_in(const Surface& s, vec3 p) {
     return depth;
 }
 
-/// Smallest violation of Coulomb's law, as a distance by which the pull lies outside the cone (m), over all
-/// ways to share the load among the normals; negative inside the cone.
+/// Smallest distance (m) by which the pull lies outside Coulomb's cone, over all ways to share the load among
+/// the normals; negative inside the cone, as friction allows.
 double beyond_cone(const std::vector<vec3>& normals, vec3 pull, double friction) {
     double best = glm::length(pull);
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -219,7 +219,7 @@ TEST(RoundBodies, SharpAndConcaveEdgesOfAMeshKeepTheForce) {
             for (const double speed : {0.05, 0.2, 1.0}) wander_at_edge(slope, friction, speed);
 }
 
-// ---- attacks ----------------------------------------------------------------------------------------------
+// ---- hostile contact with round bodies --------------------------------------------------------------------
 
 /// A closed box of two-sided triangles with round bodies in its walls: half spheres on faces, a capsule along
 /// an edge, a cylinder through a corner.
@@ -318,7 +318,7 @@ TEST(RoundBodies, AtTheEndOfThePatchTheProxyStaysOnItsSurface) {
     }
 }
 
-// ---- two solids -------------------------------------------------------------------------------------------
+// ---- two solids that overlap ------------------------------------------------------------------------------
 
 /// A cylinder and a box that overlap, rotated at random, without friction.
 SurfacePatch cylinder_in_box(Random& random) {
@@ -350,7 +350,7 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
         probe.at(tip.place);
         for (int tick = 0; tick < 600; ++tick) {
             vec3 place = tip.next(0.5);
-            if (glm::length(place) > 0.03) place *= 0.999;  // moves back towards the bodies
+            if (glm::length(place) > 0.03) place *= 0.999;  // moves the tip back towards the bodies
             tip.place = place;
             const ContactResult touched = probe.at(place);
             const vec3 spring = touched.proxy - place;
@@ -391,7 +391,7 @@ TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
     EXPECT_EQ(touched.contacts, 2U);
 }
 
-// ---- downhill ---------------------------------------------------------------------------------------------
+// ---- a proxy as near to the tip as bodies allow -----------------------------------------------------------
 
 /// A solid for the check: `shape` at its position, with its rotation.
 struct Ground {
@@ -408,8 +408,8 @@ struct Ground {
     }
 };
 
-/// How much nearer to the tip a free point within 0.1 um of the proxy can be (m). Tries random steps, moves
-/// the points out of the solids, and takes the best.
+/// How much nearer to the tip a point within 0.1 um of the proxy can be without entering a solid (m). Tries
+/// random steps, moves the points out of the solids, and takes the best.
 double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Random& random) {
     constexpr double step = 1e-7, exact = 1e-13;  // length of a random step, and tolerance for a depth (m)
     // Allowed depth of a tried point in each solid (m): that of the proxy, or that of a point just outside of
@@ -483,7 +483,8 @@ Crossing crossing(SurfaceKind kind, bool mesh, Random& random) {
 /// former fault: the edge of a box and the seam of two triangles held the proxy beside a round solid, with up
 /// to 12 N.
 TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
-    constexpr double tolerance = 2e-9;  // tolerance (m), a pull of a fiftieth of the force
+    // Tolerance (m): over 0.1 um, a fiftieth of the force is along the surface.
+    constexpr double tolerance = 2e-9;
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const bool mesh : {false, true}) {
             int touched = 0, stuck = 0;

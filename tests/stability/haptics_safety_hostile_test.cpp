@@ -56,7 +56,7 @@ TEST(HapticsSafetyHostile, NothingGetsThroughTheSafetyStage) {
     }
 }
 
-/// Changes the model to a random one at the tip, valid or not.
+/// Replaces the patch of surfaces near the tip by a random one, valid or not.
 void change_patch(HapticModel& model, vec3 at, Random& random) {
     const auto nasty = [&random] {
         constexpr std::array values{0.0, 1e300, -1e-300, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()};

@@ -37,7 +37,7 @@ struct Speed {
     }
 };
 
-/// A servo whose tip feels modes.
+/// A servo with a tip that feels haptic modes.
 struct FeltModes {
     std::vector<ModeUse> uses{};
     Servo servo{};
@@ -82,7 +82,7 @@ vec3 random_place(Random& random, double half) {
 field::TransferFunction random_curve(Random& random, double from, double to) {
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t place = i / 2;  // two points at each x make a jump
+        const std::size_t place = i / 2;  // two points at each x make a jump of the curve
         points[i] = {from + (to - from) * static_cast<double>(place) / 3, random.uniform(-3, 3)};
     }
     return field::transfer_function(points).value_or(field::constant(1));
@@ -142,7 +142,7 @@ TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
     double largest = 0;
     for (int tick = 0; tick < 500; ++tick) largest = std::max(largest, hand.feel({2e-5 * tick, 0.002, 0}));
     EXPECT_LE(largest, 2 * 300 * 2e-5 + 2e-3);
-    // Beside the ridge, the full strength must act at once.
+    // Beside the ridge, the mode's full strength must act at once.
     for (int tick = 0; tick < 100; ++tick) hand.feel({0.01, 0.002 + 1e-4 * tick, 0});
     EXPECT_NEAR(hand.force.y, -1.4, 1e-9);
 }
@@ -231,7 +231,7 @@ TEST(StillHand, AHandThatCreepsOrTremblesInSeveralModesFeelsNoChatter) {
 
 TEST(StillHand, ADamperMakesNoJumpOfAWallThatIsMet) {
     const field::Plane ground{.through = {}, .normal = {0, 1, 0}};
-    // With spring and damper of an omega.3 in the lab: 5,000 N/m and 15 N s/m.
+    // Spring and damper are those of an omega.3 in the lab: 5,000 N/m and 15 N s/m.
     for (const double speed : {0.03, 0.1, 0.3}) {
         FeltChange felt({{find_mode("isosurface"), any_field(field_of<Scalar>(ground)), {}}}, 5000, 15);
         felt.hand.uses[0].settings.strength = field::constant(9);
@@ -291,7 +291,7 @@ TEST(StillHand, AWallThinnerThanItsReachLetsGoWithoutAJump) {
     hand.uses[0].settings.strength = field::constant(9);
     hand.uses[0].settings.reach = 0.004;
     double before = 0, pressed = 0;
-    for (int tick = 0; tick < 4000; ++tick) {  // moves through the wall and back, at 5 mm/s
+    for (int tick = 0; tick < 4000; ++tick) {  // the tip moves through the wall and back, at 5 mm/s
         const double y = 0.005 - 5e-6 * std::min(tick, 4000 - tick);
         const double change = hand.feel({0, y, 0});
         if (tick > 20) EXPECT_LE(change, 0.5 + 3 * 5000 * std::abs(y - before) + 1e-9) << tick;
@@ -311,7 +311,7 @@ TEST(StillHand, AMovingHandMeetsAWallAtOnceAndGetsThroughAtOnce) {
     for (int tick = 0; tick < 2; ++tick) hand.feel({0, y -= 5e-4, 0});
     for (; y > -0.0019; y -= 1e-4) hand.feel({0, y, 0});
     EXPECT_NEAR(hand.force.y, -300 * (y + 1e-4), 1e-3);
-    // The wall gives way at 0.6 N: the proxy sinks in, and is free once it is deeper than the reach.
+    // The wall gives way at 0.6 N: the proxy sinks in, and is free once it is deeper than the mode's reach.
     int ticks = 0;
     for (; ticks < 100 && (ticks < 5 || hand.force.y > 1e-6); ++ticks) hand.feel({0, y -= 1e-4, 0});
     EXPECT_LE(ticks, 40);

@@ -58,8 +58,8 @@ TEST(HapticsSwitches, AWorldThatChangesAgainAndAgainPushesNoHandAway) {
                     const auto which = static_cast<int>(change);
                     EXPECT_LE(world.most_created(), max_per_switch)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
-                    // Skipped, because a hand that falls onto a surface that has come back meets an ordinary
-                    // wall.
+                    // Not checked where a surface comes back: a hand that meanwhile fell meets it like any
+                    // wall, with a jump of force.
                     if (surface && change == bench::WorldChange::spring) continue;
                     EXPECT_LE(world.max_jump(), 0.75)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
@@ -194,7 +194,7 @@ TEST(HapticsSwitches, TheBrakeBeginsSlowlyAndPullsNoHandIntoAWall) {
 /// Energy that a wall, moved by 4 mm every `period` ticks, creates at a firm hand that moves in and out (J).
 double created_by_edits(const DeviceSpec& spec, int period) {
     auto device_spec = spec;
-    // High, because warm motors would hide created energy.
+    // High, because warm motors weaken forces, which would hide created energy.
     device_spec.continuous_force = 10 * spec.peak_force;
     const auto device = simulated_device(device_spec, {.mass = 0.4, .stiffness = 1500, .damping = 40});
     const Servo servo = servo_of(device_spec, 1);
@@ -267,14 +267,14 @@ TEST(HapticsSwitches, WarmMotorsMakeNoJumpWhenForcesGoOffAndOn) {
     }
 }
 
-/// What pushes in quick succession have done to a hand.
+/// What forces that push a hand in quick succession have done to it.
 struct Pushed {
     double max_change{};  ///< largest change of the output in a tick, beyond that of a spring (N)
     double max_work{};    ///< largest work on the hand within a second (J)
 };
 
-/// A loose hand that swings, and a directed force that jumps every few ticks, mostly to the way that the hand
-/// moves. Motor heat is left out, because it would hide work.
+/// A loosely held device that swings, and a directed force that jumps every few ticks, mostly to the way that
+/// the hand moves. Motor heat is left out, because it would hide work.
 Pushed push_again_and_again(DeviceSpec spec, std::uint64_t seed) {
     spec.continuous_force = 10 * spec.peak_force;
     const Servo servo = servo_of(spec, 1);
@@ -331,8 +331,9 @@ TEST(HapticsSwitches, AnOffsetThatYieldsWaitsForASpringThatYields) {
     AuditedStage stage{safety_limits(shipped_devices().back(), 1)};
     stage.limits.cap = stage.limits.continuous = 12;
     SafetyInput input{.wanted = {8, 0, 0}, .stiffness = stiffness};
-    stage.feel(input, 400);  // longer than the output takes to reach 8 N
-    // The offset starts with 3 N and no energy. The hand moves out, so that the spring falls by 1 N a tick.
+    stage.feel(input, 400);  // long enough for the output to reach 8 N
+    // The source is switched. The offset, which keeps the output from jumping, starts with 3 N and hardly any
+    // energy that it may give. The hand moves out, so that the spring's force falls by 1 N a tick.
     input.wanted.x = 5;
     input.switched = true;
     input.fade_energy = 1e-9;
@@ -352,7 +353,8 @@ TEST(HapticsSwitches, AnOffsetThatYieldsWaitsForASpringThatYields) {
 }
 
 TEST(HapticsSwitches, AFadeIsFasterOnlyWhereItWouldCreateTooMuchEnergy) {
-    constexpr double force = 8.5, stiffness = 800;  // those of a Premium
+    // Force (N) and stiffness (N/m) of a Premium, a haptic device.
+    constexpr double force = 8.5, stiffness = 800;
     PassivityObserver observer;
     for (const double speed : {0.0, 0.1, 0.3, 0.4, 0.6, 1.0, 2.0}) {
         const vec3 step{0, speed * tick_seconds, 0};

@@ -102,16 +102,16 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
     const auto spec = reference_device(0.5, 1);
     constexpr double newtons = 2;
     EXPECT_LE(delivered_limit(spec, {}, newtons),
-              exact_limit(spec));  // without damping and controller: 334 N/m, and less after a landing
+              exact_limit(spec));  // limit without damping and controller: 334 N/m, and less after a landing
     EXPECT_GE(delivered_limit(spec, {.damping = 2, .controller = 5}, newtons), 2000);
-    // With the passivity controller, without damping of the wall.
+    // With the passivity controller alone, without damping of the wall.
     EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);
     for (const double stiffness : {1000.0, 1500.0, 2000.0}) {
         const Pressed at = pressed(spec, {stiffness, 2, 5}, newtons);
         EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness;
         EXPECT_NEAR(at.depth, newtons / stiffness, 1e-3 * newtons / stiffness)
             << stiffness;                              // the wall is as stiff as its setting says
-        EXPECT_LE(at.added_later, 0.05) << stiffness;  // after settling, only the wall acts (N)
+        EXPECT_LE(at.added_later, 0.05) << stiffness;  // once settled, stiffness alone acts (N)
         EXPECT_LE(at.created, 0.02) << stiffness;
     }
     // Without damping and controller, the wall of 1,000 N/m throws the hand off.

@@ -14,12 +14,14 @@ namespace thaum::game::test {
 namespace {
 
 constexpr int seeds = 30;
-/// Time after which a bot gives up (s). A wizard's focus is enough for 50 s.
+/// Time after which a bot gives up its search (s). The wizard's focus, the energy that a hand in the orb uses
+/// up, is enough for 50 s.
 constexpr double limit = 45;
 
 const std::filesystem::path root = THAUM_SOURCE_DIR;
 
-/// Time that a bot needs with `percent` of the force (s); `limit` if it does not find the core.
+/// Time that a bot needs to find the core with `percent` of the force (s); `limit` if it does not find the
+/// core.
 double search(const std::string& script, int seed, int percent) {
     const std::string_view values = "local seed, percent, limit = 1, 100, 20\n";
     auto source = script;

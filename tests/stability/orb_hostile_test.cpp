@@ -85,7 +85,7 @@ struct Darting {
     }
 };
 
-/// Both players switch two haptic modes on, make sudden motions, and change their curves.
+/// Both players switch the haptic modes `worn` on, make sudden motions, and change the curves of the modes.
 Outcome dart_about(std::array<std::uint32_t, 2> worn, Tick length, std::uint64_t seed) {
     Seance seance(seed);
     seance.begin(0);

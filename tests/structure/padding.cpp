@@ -6,7 +6,7 @@ namespace {
 
 using namespace thaum;
 
-/// 24 bytes, all of which belong to a field.
+/// 24 bytes without padding: all belong to a field.
 struct Tight {
     std::array<std::uint16_t, 2> pair{};
     std::uint32_t count{};
@@ -28,7 +28,7 @@ struct PaddedAtTheEnd {
     THAUM_COMPONENT(PaddedAtTheEnd, value, kind);
 };
 
-/// Padding in the elements of an array.
+/// Padding within each element of an array.
 struct HoldsPadded {
     std::array<PaddedInside, 2> both{};
     THAUM_COMPONENT(HoldsPadded, both);
@@ -48,7 +48,7 @@ struct ListedTwice {
     THAUM_COMPONENT(ListedTwice, value, kind, kind, kind, kind);
 };
 
-/// Six bytes of padding inside a number.
+/// A long double has six bytes of padding inside.
 struct LongDouble {
     long double value{};
     THAUM_COMPONENT(LongDouble, value);
@@ -56,7 +56,7 @@ struct LongDouble {
 
 }  // namespace
 
-// World::declare describes a component by the same function, so it makes the same checks.
+// World::declare checks a component by the same function, so it refuses the same faults.
 const auto tight = ecs::component_info<Tight>();
 #ifdef PADDED
 const auto padded_inside = ecs::component_info<PaddedInside>();

@@ -105,7 +105,7 @@ std::vector<std::string> folders_of(const std::string& path) {
     return result;
 }
 
-// ---- includes ---------------------------------------------------------------------------------------------
+// ---- which part may include which -------------------------------------------------------------------------
 
 /// Position of a file in the tree: for example ("ecs", "ecs") or ("game", "game/components").
 struct Place {
@@ -200,7 +200,7 @@ std::set<std::string> engine_headers_of(const fs::path& root, const fs::path& fi
     return result;
 }
 
-// ---- paths of one machine ---------------------------------------------------------------------------------
+// ---- files must not contain paths of one machine ----------------------------------------------------------
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '}' || c == '-';
@@ -213,7 +213,7 @@ std::size_t find_path(const std::string& text, const std::string& path) {
     return at;
 }
 
-// ---- opened files -----------------------------------------------------------------------------------------
+// ---- which files may open other files ---------------------------------------------------------------------
 
 /// Files that may open other files directly, each with the reason.
 const std::map<std::string, std::string_view, std::less<>> may_open = {
@@ -283,7 +283,7 @@ void check_opens(const std::string& name, const std::string& text, Faults& fault
     }
 }
 
-// ---- lengths ----------------------------------------------------------------------------------------------
+// ---- lengths of files and comments ------------------------------------------------------------------------
 
 constexpr std::size_t max_file_lines = 600, max_comment_line = 110;
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace hand = input::hand;
 
-/// A match between a player with aim assist, who looks along -z, and a foe 12 m away.
+/// A match between a player with aim assist (help with aiming), who looks along -z, and a foe 12 m away.
 class AimAssist : public testing::Test {
 protected:
     explicit AimAssist(int percent = 100, std::vector<std::string> overrides = {},
@@ -165,15 +165,15 @@ TEST_F(AimAssistClassic, ChangesNothing) {
 
 // ---- a player with keys alone -----------------------------------------------------------------------------
 
-/// Invented key codes for the names in default_bindings.
+/// Invents a key code for each key that default_bindings names; the test has no keyboard.
 std::optional<int> numbered(std::string_view name) {
     const auto names = input::default_key_names();
     const auto found = std::find(names.begin(), names.end(), name);
     return found == names.end() ? std::nullopt : std::optional<int>(static_cast<int>(found - names.begin()));
 }
 
-/// A simulated player as good as a bot of the first level, who turns by the arrow keys: reacts late, errs by
-/// some degrees, fires in bursts.
+/// A simulated player as good as a bot of the first level, but with the arrow keys as the only means to turn.
+/// The player reacts late, errs by some degrees, and fires in bursts.
 class KeypadPlayer {
 public:
     KeypadPlayer() : hands_(input::default_bindings(input::DeviceKind::keyboard_half, numbered)) {
@@ -198,8 +198,8 @@ private:
 
     void hold(std::string_view key, bool held) { hands_.key(*numbered(key), held); }
 
-    /// Holds the arrow keys towards the expected position of the foe, from what the player could see some
-    /// time ago.
+    /// Holds the arrow keys so that the view turns to where the foe should be now, judged by what the player
+    /// could see some time ago.
     void look(const Simulation& match, Tick now) {
         const auto& world = match.world();
         const auto self = wizard_of(world, practising), foe = wizard_of(world, dummys);
@@ -236,7 +236,7 @@ private:
     Tick fire_until_ = 0;
 };
 
-/// Share of a keypad player's bolts that hit a strafing dummy 12 m away within two minutes.
+/// Share of this player's bolts that hit a dummy, 12 m away and walking sideways, within two minutes.
 double share_of_hits(int percent) {
     const auto data =
         load_range(assets(), {.overrides = {"bolt.energy.regain_per_s=1000", "bolt.shot.damage=0.001"}})

@@ -22,7 +22,7 @@ namespace hand = input::hand;
 
 const std::filesystem::path assets_folder = THAUM_SOURCE_DIR "/assets";
 
-/// What the player perceives, and the device sample with which the player answers.
+/// What a scripted player perceives, and the device sample with which that player answers.
 struct Player {
     Practice& practice;
     Tick tick;  ///< ticks since the player began the step
@@ -61,7 +61,7 @@ struct Player {
         sample.press(Button::fire);
         sample.counts[hand::trigger] = 255;
     }
-    /// Presses the key of a wand until the wizard holds that wand. Returns whether it is.
+    /// Presses the key of a wand. Returns whether the wizard holds that wand already.
     bool take(std::string_view wand) {
         const auto slot = slot_of(wand);
         if (self().wand == slot) return true;
@@ -180,7 +180,8 @@ protected:
     }
     ecs::Entity wizard() { return game::wizard_of(practice_.match().world(), practising); }
     double health() { return practice_.match().world().get<game::Health>(wizard()).points; }
-    /// Distance of the player from the place to which the lesson's step sends it, along the ground (m).
+    /// Distance along the ground between the player and the place to which the lesson's step sends the player
+    /// (m).
     double feet_off() {
         const auto place = course().lessons().steps[course().at()].player->feet;
         const auto centre = Player{practice_, 0}.self().centre;
@@ -192,7 +193,8 @@ protected:
                 return wand.rules->readiness(practice_.match().world(), wizard()).value_or(0);
         return 0;
     }
-    /// Plays until the step is done. Returns the number of ticks that it took, at most `limit`.
+    /// Plays until the player has done what the step asks. Returns the number of ticks that it took, at most
+    /// `limit`.
     Tick do_step(void (*way)(Player&), Tick limit) {
         Tick t = 0;
         for (; t < limit && !course().is_done(); ++t) {

@@ -14,7 +14,8 @@ namespace {
 
 // File of lessons ------------------------------------------------------------------------------------------
 
-/// A correct file with one step, in which the given lines replace the step's keys.
+/// A correct file of lessons with one step. The arguments are the lines for the step's text, its goal and
+/// further keys.
 std::string file_with(std::string_view text_line, std::string_view goal, std::string_view more = "") {
     return thaum::text(
         "version = 1\narena = \"boiling_court\"\nend = \"Done\"\n"

@@ -30,7 +30,7 @@ std::filesystem::path assets_with_yard() {
     return copied.path;
 }
 
-// Files -----------------------------------------------------------------------------------------------------
+// Files of arenas -------------------------------------------------------------------------------------------
 
 constexpr std::string_view min_arena = R"(version = 1
 name = "Least"
@@ -56,7 +56,7 @@ std::string fault_of(std::string_view source) {
     return message_of(file->check());
 }
 
-/// The first fault in the smallest valid arena after more entries were added at its end.
+/// The first fault in the smallest valid file of an arena, after more entries were added at its end.
 std::string fault_with(std::string_view more) { return fault_of(text(min_arena, more)); }
 
 Arena arena_with(std::string_view more) {
@@ -167,7 +167,7 @@ mirror = true
     EXPECT_EQ(arena.practice[1].feet, vec3(3, 0, -3));
 }
 
-/// Height of a ramp's slope over a point relative to its middle (m).
+/// Height of a ramp's slope above a point, which is given relative to the ramp's middle (m).
 double slope_at(const physics::TriangleMesh& mesh, vec2 at) {
     vec3 half(0), high(0);
     for (const auto& v : mesh.vertices) half = glm::max(half, glm::abs(v));
@@ -186,7 +186,7 @@ double volume_of(const physics::TriangleMesh& mesh) {
 }
 
 TEST(ArenaFile, ARampRisesWhereItsNameSaysAndItsTwinWhereItMust) {
-    // Directions in which a ramp may rise, as in rise_names.
+    // Directions in which a ramp may rise, in the order of rise_names.
     const std::array<vec2, 4> ways{vec2(1, 0), {-1, 0}, {0, -1}, {0, 1}};
     for (std::size_t rise = 0; rise < rise_names.size(); ++rise) {
         const auto mesh = ramp({2, 3, 4}, static_cast<Rise>(rise));
@@ -229,7 +229,7 @@ TEST(ArenaFile, TheHashLeavesOutWhatNoMatchReads) {
     std::filesystem::remove(file);
 }
 
-// Fairness --------------------------------------------------------------------------------------------------
+// Fairness of arenas to both players ------------------------------------------------------------------------
 
 vec3 half_turned(vec3 p) { return {-p.x, p.y, -p.z}; }
 
@@ -360,12 +360,12 @@ TEST(ArenaWays, ABotInTheWellSwingsOverTheGapOfItsGallery) {
     }
 }
 
-// Matches ---------------------------------------------------------------------------------------------------
+// Matches in each arena -------------------------------------------------------------------------------------
 
 struct MatchReport {
     int kills{};
     double longest_rest{};            ///< longest time for which a living bot moved less than 1 m (s)
-    std::array<double, 2> heights{};  ///< lowest and highest feet of a living bot (m, world)
+    std::array<double, 2> heights{};  ///< lowest and highest height of a living bot's feet (m, world)
     Ending ending{};
 };
 

@@ -47,7 +47,7 @@ Expected<std::unique_ptr<OpenArm>> open_of(std::string_view driver, std::size_t 
     return fail("no such arm");
 }
 
-/// A file into which a fake arm writes its state.
+/// A file into which a fake arm writes its forces and ticks, for the test to read.
 struct Live {
     const TemporaryFolder folder{};
     const std::filesystem::path file = folder.path() / "live";
@@ -64,7 +64,7 @@ struct Live {
 
 void plug_in(const std::string& scripts) { ::setenv("FAKE_ARMS", scripts.c_str(), 1); }
 
-/// A user of an arm who applies a constant force along z.
+/// A program that uses an arm: in each tick it asks for the same force along z.
 struct Pusher {
     std::atomic<double> newton{1};
     std::atomic<std::uint64_t> ticks{0};
@@ -355,9 +355,9 @@ TEST(ArmDrivers, AReadThatHangsIsALostArm) {
     EXPECT_EXIT(lose(), ::testing::ExitedWithCode(0), "");
 }
 
-// ---- the watchdog -----------------------------------------------------------------------------------------
+// ---- the watchdog ends the force when a call hangs --------------------------------------------------------
 
-/// An open arm on which a force of 1 N acts.
+/// An open arm with a program that makes it exert a force of 1 N.
 struct Pushed {
     Pusher pusher{};
     std::unique_ptr<OpenArm> arm{};
@@ -369,8 +369,8 @@ struct Pushed {
     }
 };
 
-/// Nothing closes the arm: the watchdog alone ends the force while a read or a write hangs. If ticks come
-/// again after all, the force returns, but gradually.
+/// A read or a write of the driver hangs, and nothing closes the arm. The watchdog alone must end the force.
+/// If ticks come again after all, the force returns, but gradually.
 TEST(ArmDrivers, ACallThatHangsLeavesNoForce) {
     for (auto* hangs : {&read_hangs, &write_hangs}) {
         const Pushed pushed("aa");
@@ -384,7 +384,7 @@ TEST(ArmDrivers, ACallThatHangsLeavesNoForce) {
     }
 }
 
-/// A force that a delayed write sets, before the driver hangs again, must be ended too.
+/// A force that a delayed write sets, after the watchdog has ended the one before, must be ended too.
 TEST(ArmDrivers, AForceThatComesLateIsEndedAgain) {
     const Pushed pushed("aa");
     write_hangs = true;
@@ -405,8 +405,8 @@ TEST(ArmDrivers, AnArmIsGivenUpWhereThatIsAllItsLibraryAllows) {
     read_hangs = false;
 }
 
-/// If an arm's library allows no calls from a second thread, the watchdog may not end the force. It must make
-/// no call, and the force stays, as the driver says.
+/// The driver says that the arm's library allows no calls from a second thread. So the watchdog, which runs
+/// in one, must make no call, and cannot end the force of an arm that hangs.
 TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
     const Pushed pushed("keeps");
     const int before = given_up;
@@ -417,7 +417,8 @@ TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
     read_hangs = false;
 }
 
-/// An arm without force does not count as lost: its library may be silent for a while.
+/// The watchdog gives up an arm (ends its use) only to end a force. If the arm has none, a read that hangs
+/// makes it count as lost, but the watchdog must not give it up.
 TEST(ArmDrivers, AnArmThatRestsIsNotGivenUp) {
     Pushed pushed("lets go");
     pushed.pusher.newton = 0;

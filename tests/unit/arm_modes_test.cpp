@@ -27,10 +27,11 @@ namespace {
 using fake_hd::Ending;
 using fake_hd::Mode;
 
-/// A generous limit, which only a hanging process reaches (ns).
+/// Time after which a process counts as hanging (ns). It is generous, so that a slow machine does not reach
+/// it.
 constexpr std::int64_t hangs_after_ns = 90'000'000'000;
 
-/// A process that runs arm_probe.
+/// A process that runs the program arm_probe, which holds a force with the fake arm.
 struct Probe {
     std::string words{}, end{};
     bool opens = true;  ///< false: opening the arm must fail; a call that hangs then gets little time
@@ -133,8 +134,8 @@ void expect_modes(const std::vector<Mode>& modes) {
 TEST(ArmModes, AFunctionThatFailsHangsOrCallsBack) { expect_modes(fake_hd::modes_of_calls()); }
 TEST(ArmModes, MeasurementsWordsAndTicksThatAreWrong) { expect_modes(fake_hd::modes_of_answers()); }
 
-/// The library calls the servo's ticks before hdScheduleAsynchronous returns. The function may still fail
-/// then, so no force may act yet.
+/// The library calls the servo's ticks before hdScheduleAsynchronous, which registers them, returns. The
+/// function may still fail then, so no force may act yet.
 TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
     std::vector<Probe> probes{{.words = "hdScheduleAsynchronous=returns_late", .opens = false}};
     run_all(probes);
@@ -216,7 +217,7 @@ TEST(ArmEnds, NoSignalEndsItWithAForce) {
     expect_ends(ways);
 }
 
-/// A program that waits until it is killed.
+/// A program with an arm that waits until it is killed.
 struct Waiting {
     TemporaryFolder folder{};
     Probe p{};
@@ -255,7 +256,7 @@ struct Waiting {
     }
 };
 
-/// The program has installed no signal handlers of its own.
+/// A program without signal handlers of its own gets a signal that ends it, while its arm exerts a force.
 TEST(ArmEnds, ASignalThatEndsItLeavesNoForce) {
     Waiting program("wait");
     program.wait_until([&] { return program.arm().max_force == 1; });
@@ -289,7 +290,8 @@ TEST(ArmEnds, StoppedItGivesNoForceAndContinuedItDoes) {
     program.expect_ends_without_force();
 }
 
-/// The program gets SIGINT, SIGTSTP and SIGCONT, and must still end.
+/// A program with an arm gets SIGINT, SIGTSTP (stop) and SIGCONT (go on). It must still end, and without a
+/// force.
 TEST(ArmEnds, StoppedWhileItEndsItGivesNoForceAfterwards) {
     Waiting program("ending");
     EXPECT_EQ(program.arm().force[2], 0);

@@ -12,7 +12,7 @@ namespace {
 constexpr double ns_per_second = 1e9;
 constexpr std::int64_t ns_per_tick = 1'000'000;
 
-/// Simulates an arm and a live match, paced as in live/simulation.cpp, for some seconds.
+/// An arm and a live match, simulated for some seconds. The match keeps its pace as in live/simulation.cpp.
 struct Rig {
     double arm_ticks_per_s = 1000;
     bool follows = true;
@@ -49,7 +49,7 @@ struct Rig {
     }
 
 private:
-    /// Number of samples that have arrived. Every second sample is late.
+    /// Number of samples of the arm that have arrived by now. Every second one is late.
     std::int64_t arrived(std::int64_t now, double period) const {
         const auto at = static_cast<std::int64_t>(static_cast<double>(now) / period);
         const bool late =

@@ -23,7 +23,7 @@ haptics::DeviceSpec touch_spec() {
             .max_damping = 4};
 }
 
-/// A hand that rests, or is moved along x.
+/// A hand at the arm that plays recorded forces. It rests, or is moved along x.
 struct Hand {
     ArmPlayback playback{haptics::servo_of(touch_spec(), 0.5)};
     std::int64_t now_ns = 1'000'000;
@@ -52,7 +52,7 @@ TEST(ArmPlayback, EachForceActsForATick) {
     for (int t = 0; t < 1000; ++t) {
         const vec3 force(0.3 * std::sin(t * 0.02), 0.1, t % 100 == 50 ? 1.2 : 0);
         const vec3 told = hand.play(force);
-        if (t < 20) continue;  // at first the safety stage limits the growth of the force
+        if (t < 20) continue;  // first the safety stage lets the force grow only slowly
         ASSERT_EQ(told, force) << t;
         strongest = std::max(strongest, glm::length(force));
     }
@@ -62,7 +62,7 @@ TEST(ArmPlayback, EachForceActsForATick) {
 }
 
 TEST(ArmPlayback, BeginsAndEndsSlowly) {
-    // Largest change of force in a tick (N), from the slew limit of 40 N/s.
+    // The slew limit lets a force change by 40 N/s, that is by this much in a tick (N).
     constexpr double max_step = 0.04 * (1 + 1e-9);
     Hand hand;
     vec3 before(0);
@@ -107,7 +107,8 @@ TEST(ArmPlayback, EnergyGivenToTheHandIsLimited) {
     double work = 0;
     for (int t = 0; t < 3000; ++t) work += hand.play({1, 0, 0}).x * 1e-3;
     EXPECT_LT(work,
-              // Without the limit, 1 N over 3 m would give 3 J. One energy budget per second is allowed.
+              // Without the limit on energy, 1 N over 3 m would give the hand 3 J. One energy budget per
+              // second is allowed.
               3 * haptics::active_budget);
     EXPECT_GT(work, haptics::active_budget);
     hand.step_um = -1000;

@@ -25,7 +25,7 @@ struct Arm {
     ArmServo& servo;
     std::int32_t ticks = 0;
     std::int64_t now_ns = 5 * ms;
-    std::vector<vec3> forces{vec3(0)};  // forces; the index is the position in um
+    std::vector<vec3> forces{vec3(0)};  // forces that the arm computed (N); the index is the position in um
 
     void step() {
         now_ns += ms;
@@ -43,7 +43,7 @@ struct Mirror {
     ArmState arm{};
     std::vector<RememberedModel> kept = std::vector<RememberedModel>(remembered_models);
     Random random = random_stream(7, 1);
-    std::map<std::int32_t, vec3> forces{};  // forces by position in um
+    std::map<std::int32_t, vec3> forces{};  // forces that the match computed (N), by the arm's position in um
     std::uint32_t pulses = 0;
     bool panic = false, rearm = false;
     double push = 1;
@@ -84,7 +84,8 @@ struct Mirror {
     }
 };
 
-/// Compares the forces of arm and simulation at each position. Returns the number of compared forces.
+/// Compares the forces that the arm and the match computed at each position. Returns the number of compared
+/// forces.
 std::size_t expect_same_forces(const Arm& arm, const Mirror& mirror) {
     for (const auto& [place, force] : mirror.forces) {
         const auto& told = arm.forces[static_cast<std::size_t>(place)];
@@ -199,7 +200,7 @@ TEST_F(ArmServoTest, BeforeTheFirstModelThereIsNoForce) {
     EXPECT_EQ(servo.waiting(), 0U);
 }
 
-// ---- bad poses --------------------------------------------------------------------------------------------
+// ---- impossible poses of an arm ---------------------------------------------------------------------------
 
 struct BadPoses : ArmServoTest {
     std::vector<vec3> forces{};
@@ -207,7 +208,7 @@ struct BadPoses : ArmServoTest {
     BadPoses() {
         for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     }
-    /// Runs 200 ticks with readings made by f(number).
+    /// Runs 200 ticks of arm and match. f(number of the tick) makes the arm's reading.
     template <class F>
     void feed(F f) {
         for (int i = 1; i <= 200; ++i) {
@@ -264,7 +265,7 @@ TEST_F(BadPoses, ThatJumpFar) {
     EXPECT_EQ(strongest(forces, 10), 0) << "nothing moves that fast";
 }
 
-// ---- the simulation's side --------------------------------------------------------------------------------
+// ---- the arm's state in the match -------------------------------------------------------------------------
 
 TEST(ArmState, AnySampleOfADamagedLogIsSurvived) {
     Random random = random_stream(17, 1);

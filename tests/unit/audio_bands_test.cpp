@@ -17,7 +17,7 @@ Sound sound_of(std::vector<float> samples, bool loops) {
     return {.name = "test", .description = "test", .loops = loops, .samples = std::move(samples)};
 }
 
-/// Levels, by band, in the middle of a lasting sine.
+/// Levels of a sine's frequency bands, in the middle of the sine.
 BandLevels levels_of(double hz, double amplitude) {
     const auto course = band_course(sound_of(sine(hz, 1, amplitude), true), bands);
     return course.at(0.5 * sample_rate);
@@ -68,7 +68,7 @@ TEST(BandCourse, FollowsTheEnvelopeOfATone) {
 }
 
 TEST(BandCourse, ALoopHasNoSeam) {
-    // 40 whole periods in a length that is not a multiple of a block.
+    // A loop of 40 whole periods. Its length is not a multiple of a block, so its seam lies within a block.
     const double seconds = 40.0 / 41;
     const auto course = band_course(sound_of(sine(41, seconds, 0.5), true), bands);
     for (const auto& levels : course.levels) EXPECT_NEAR(levels[0], 0.5, 0.04);

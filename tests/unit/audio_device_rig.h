@@ -8,12 +8,12 @@
 
 namespace thaum::audio::rig {
 
-/// State and settings of a fake device, shared with the test. Must outlive the device.
+/// State and settings of a fake sound card, shared with the test. Must outlive the device.
 struct FakeCard {
     double now_s{};        ///< time of the card's clock (s)
     double speed{1};       ///< speed of the card's clock relative to the test's
     std::size_t queue{2};  ///< number of blocks that the card queues
-    std::size_t lie{};     ///< if not 0, the number of blocks that the card claims to want
+    std::size_t lie{};     ///< if not 0: number of blocks that the card claims to want, true or not
     bool present{true};    ///< false: the card cannot be opened
     bool connected{true};  ///< false: the card has been unplugged
     bool deaf{};           ///< true: the card never wants a block

@@ -86,7 +86,7 @@ public:
         if (stream_) stream_->destroy();
         stream_.reset();
     }
-    /// Plays for eight milliseconds.
+    /// Plays the card's output for eight milliseconds.
     void play(std::vector<float>& heard) { card_.render(heard, frame_samples); }
 
 private:
@@ -109,7 +109,7 @@ TEST(AudioJacket, EachOfEightActuatorsHasItsChannelAndFrequencyOnTheCard) {
             jacket->is_connected();
             card.play(heard);
         }
-        // The first 32 ms are still in the queue.
+        // Leaves out the first 32 ms, in which the wave was still waiting in the queue.
         heard.erase(heard.begin(), heard.begin() + 8 * 4 * static_cast<std::ptrdiff_t>(frame_samples));
         for (std::size_t channel = 0; channel < 8; ++channel) {
             const auto samples = channel_of(heard, 8, channel);
@@ -138,7 +138,8 @@ TEST(AudioJacket, AfterItsTimeToLiveTheCardIsSilent) {
     const auto right = channel_of(heard, 2, 1);
     const auto last = std::find_if(right.rbegin(), right.rend(), [](double s) { return s != 0; });
     const auto sounding = static_cast<std::size_t>(right.rend() - last);
-    // Expected: 80 ms, plus the block in which the wave ends, plus the two blocks that wait in the queue.
+    // Expected length of the sound: 80 ms, plus the block in which the wave ends, plus the two blocks that
+    // wait in the queue.
     EXPECT_GE(sounding, 10 * frame_samples);
     EXPECT_LE(sounding, 13 * frame_samples);
     EXPECT_NEAR(peak_of(right), 1, 0.01);

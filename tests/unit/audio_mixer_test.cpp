@@ -18,7 +18,7 @@ protected:
     Recorder recorder{mixing};
 };
 
-// ---- place ------------------------------------------------------------------------------------------------
+// ---- place of a sound -------------------------------------------------------------------------------------
 
 TEST_F(MixerTest, ASoundAtOneSideIsLouderThere) {
     recorder.play(frame_with({voice(hum, {3, 0, 0})}), second);
@@ -136,7 +136,7 @@ TEST_F(MixerTest, ASoundThatBeginsPlaysOnceToItsEnd) {
 
 TEST_F(MixerTest, ALastingVoiceEndsWithinTheFrameThatLacksIt) {
     recorder.play(frame_with({voice(loud, {1, 0, 0})}), 20);
-    // More than one block, because the limiter's delay shifts samples into the second one.
+    // Plays more than one block, because the limiter's delay shifts samples into the second one.
     recorder.play({}, 3);
     EXPECT_EQ(mixing.report().voices, 0U);
     recorder.clear();
@@ -189,7 +189,7 @@ TEST_F(MixerTest, AVoicePlayedFasterSoundsHigher) {
     EXPECT_GT(recorder.band(375, 470), 50 * recorder.band(187, 282));
 }
 
-// ---- too many voices --------------------------------------------------------------------------------------
+// ---- more voices than the mixer plays ---------------------------------------------------------------------
 
 TEST_F(MixerTest, TheQuietestVoicesAreLeftOutAndCounted) {
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -443,7 +443,7 @@ TEST(Mixer, EqualFramesGiveEqualSamples) {
     for (const auto& settings : {MixSettings{}, MixSettings{.headphones = true, .ears = Ears::left_right}}) {
         const auto first = lively_second(settings);
         EXPECT_EQ(first, lively_second(settings));
-        // Another mixer in the same process must not change anything.
+        // Another mixer in the same process must not change what this one plays.
         auto other = mixer();
         Recorder recorder(other);
         recorder.play(frame_with({voice(hiss, {1, 0, 0})}), 30);

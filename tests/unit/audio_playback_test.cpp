@@ -10,7 +10,7 @@ namespace {
 
 using namespace rig;
 
-/// A playback, its card, and the test's clock. Steps run when the playback asks for them.
+/// A playback, its sound card, and the test's clock. Steps of the playback run when it asks for them.
 struct Room {
     FakeCard card;
     Playback playback{mixer(), std::make_unique<FakeDevice>(card)};
@@ -34,7 +34,7 @@ struct Room {
             run_until(now_s + 0.008);
         }
     }
-    /// Time at which the first audible sample was heard (s), or -1.
+    /// Time at which the first audible sample was heard (s); -1: none was.
     double first_sound_s(std::size_t from_value = 0) const {
         for (std::size_t i = from_value; i < card.played.size(); ++i) {
             if (std::abs(card.played[i]) <= 1e-5F) continue;
@@ -53,7 +53,7 @@ TEST(Playback, AnEventIsHeardWithin30MsWhateverTheClocksDo) {
         room.run_until(room.now_s + 0.0005 * phase);
         room.play({}, 0.2);
         const auto before = room.card.played.size();
-        // The event is in the first tick of the frame that is being filled.
+        // The event is in the first tick of the frame that the match is filling now, so it waits for 8 ms.
         const double event_s = room.now_s;
         room.run_until(room.now_s + 0.008);
         ASSERT_TRUE(room.playback.hear(frame_with({}, {at_ear(bell)})));

@@ -91,7 +91,8 @@ TEST(AudioRecipe, SamplesAreTheSameOnEveryMachine) {
     EXPECT_NE(hash_of(made(everything(true))), hash_of(made("seed = 7\n" + everything(true))));
 }
 
-/// Largest step between neighbouring samples of a loop, and the step from its end to its start.
+/// Largest difference between neighbouring samples within a loop, and the difference between its last sample
+/// and its first, where it repeats.
 struct Steps {
     double inside{}, seam{};
 };

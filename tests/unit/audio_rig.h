@@ -94,7 +94,7 @@ public:
     }
     void clear() { samples.clear(); }
 
-    /// Levels of the last `blocks` blocks.
+    /// Levels of both channels over the last `blocks` blocks.
     Levels levels(std::size_t blocks) const {
         Levels sum;
         const auto last = std::min(samples.size(), blocks * block_values);

@@ -130,7 +130,7 @@ TEST(GameSounds, ReachesAreSensible) {
         EXPECT_LE(sound.reach_m, 100) << sound.name;
     }
     const auto reach = [](std::string_view name) { return bank().sounds[*bank().find(name)].reach_m; };
-    EXPECT_GT(reach("blast_burst"), 57);  // length of the court's diagonal (m)
+    EXPECT_GT(reach("blast_burst"), 57);  // 57 m: the length of the court (an arena) from corner to corner
     EXPECT_LT(reach("step_stone"), 20);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using namespace rig;
 
-/// State that a test shares with devices that it has given to the speakers.
+/// What a test sees and sets of the fake devices that it has given to the speakers.
 struct Watched {
     std::mutex mutex;
     std::condition_variable changed;
@@ -123,7 +123,7 @@ TEST(Speakers, ADeviceThatBlocksInItsOpeningHoldsNobodyUp) {
         EXPECT_EQ(taken, 64) << "a full queue drops frames";
         EXPECT_EQ(speakers.status(), "");
         EXPECT_EQ(speakers.report().blocks_written, 0U);
-    }  // here the thread is abandoned
+    }  // the opening still blocks, so the thread is left behind
     watched->change([&] { watched->blocks_open = false; });
     watched->wait([&] { return watched->opened == 1; });
     EXPECT_EQ(watched->get(&Watched::written), 0U) << "the device is not used any more";

@@ -73,7 +73,7 @@ TEST(BlockStream, AGapStartsAgainWithOneBlockMore) {
     };
     play(10);
     EXPECT_EQ(stream.queued(), 2U);
-    card.render(heard, 10 * frame_samples);  // nothing is written for a while
+    card.render(heard, 10 * frame_samples);  // the card plays on while nothing is written
     EXPECT_EQ(stream.wanted(), 3U);
     stream.write(tone.next());
     EXPECT_EQ(stream.wanted(), 2U) << "a block that waits has not been played";

@@ -26,7 +26,7 @@ protected:
         auto writer = WavWriter::create(file(), format, channels);
         EXPECT_TRUE(writer);
         if (!writer) return {};
-        // Writes in pieces of odd lengths.
+        // Writes the samples in pieces of odd lengths.
         for (std::size_t at = 0; at < stereo.size(); at += 770)
             writer->write(std::span(stereo).subspan(at, std::min<std::size_t>(770, stereo.size() - at)));
         EXPECT_EQ(writer->seconds(), static_cast<double>(stereo.size()) / (48'000 * channels));
@@ -39,7 +39,7 @@ private:
     TemporaryFolder folder_;
 };
 
-/// The header in the layout of the format's description.
+/// The header of a WAV file, in the layout of the format's description.
 struct Header {
     std::string riff, wave, fmt, fact, data;
     std::uint32_t file_size, fmt_size, rate, bytes_per_second, fact_size, frames, data_size;

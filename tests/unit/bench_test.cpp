@@ -149,7 +149,7 @@ TEST(BenchMeasure, ContestantsAreCalledEquallyOftenAndSetupIsNotTimed) {
     ASSERT_EQ(samples.size(), 2U);
     EXPECT_EQ(samples[0].size(), 5U);
     EXPECT_EQ(samples[1].size(), 5U);
-    EXPECT_EQ(setups, 6);  // 5 rounds, and the first one, which is not counted
+    EXPECT_EQ(setups, 6);  // 5 counted rounds, and a first one, which is not counted
     EXPECT_EQ(runs, (std::array{18, 18}));
     EXPECT_LT(times(samples[0]).min, 5000);
 }
@@ -223,7 +223,7 @@ TEST(BenchRun, AnUnknownAreaIsRefused) {
     EXPECT_NE(message.find("ecs"), std::string::npos);
 }
 
-// ---- physics rows -----------------------------------------------------------------------------------------
+// ---- rows of the physics benchmark ------------------------------------------------------------------------
 
 template <class T>
 T setting(const Row& row, std::string_view name) {
@@ -239,15 +239,16 @@ double metric(const Row& row, std::string_view name) {
     return std::nan("");
 }
 
-/// Expects that `row` does not beat `ours`. Errors of single solutions are compared directly. Errors of
-/// stacks are random, so the confidence intervals of their medians are compared.
+/// Expects that a benchmark's `row` is not more accurate than `ours`, the row with the shipped settings.
+/// Errors of single solutions are compared directly. Errors of stacks of boxes are random, so the confidence
+/// intervals of their medians are compared.
 void expect_not_beaten(const Row& ours, const Row& row, const std::string& name) {
     if (row.name != "stack") {
         EXPECT_LE(ours.error->value, row.error->value + 1e-9) << name;
         return;
     }
     EXPECT_LE(metric(ours, "error_low_m"), metric(row, "error_high_m")) << name;
-    // The intervals are narrow enough to detect that twice the time step is worse.
+    // The confidence intervals must be narrow enough to show that twice the time step is worse.
     if (setting<std::int64_t>(row, "dt_ms") > setting<std::int64_t>(ours, "dt_ms")) {
         EXPECT_LT(metric(ours, "error_high_m"), metric(row, "error_low_m")) << name;
     }
@@ -269,7 +270,8 @@ TEST(BenchPhysics, TheShippedStepIsOnTheFrontOfError) {
     EXPECT_LT(shipped.at("projectile")->error->value, 1e-9);
     for (const auto& row : report.rows) {
         ASSERT_TRUE(std::isfinite(row.error->value)) << row.name;
-        if (!shipped.contains(row.name)) continue;  // measured with the shipped settings only
+        // Measured with the shipped settings only, so there is nothing to compare.
+        if (!shipped.contains(row.name)) continue;
         const Row& ours = *shipped.at(row.name);
         expect_not_beaten(ours, row,
                           row.name + ' ' + setting<std::string>(row, "scheme") + ' ' +

@@ -41,7 +41,7 @@ std::unique_ptr<input::TactileOutput> jacket_for(const FakeBhaptics& player) {
     return bhaptics_jacket({"127.0.0.1", player.port()});
 }
 
-// Texts -----------------------------------------------------------------------------------------------------
+// Texts of requests and replies -----------------------------------------------------------------------------
 
 TEST(BhapticsMessages, RequestsAreThoseOfTheTraces) {
     EXPECT_EQ(bhaptics_request(front_frame()), text_trace("bhaptics_front.json"));
@@ -90,7 +90,7 @@ TEST(BhapticsMessages, RepliesAreReadWithinBounds) {
     EXPECT_FALSE(read_bhaptics_reply("{}" + std::string(max_reply_bytes, ' ')));
 }
 
-// The connection --------------------------------------------------------------------------------------------
+// The connection to the Player ------------------------------------------------------------------------------
 
 TEST(BhapticsJacketThreads, TheRightMotorsReachThePlayer) {
     FakeBhaptics player(Manner::replies);
@@ -242,7 +242,7 @@ TEST(BhapticsJacketThreads, APlayerThatAnswersNoPingIsDisconnectedLongBeforeItsQ
     while (jacket->is_connected()) std::this_thread::yield();
 }
 
-// In a session ----------------------------------------------------------------------------------------------
+// The vest in a session -------------------------------------------------------------------------------------
 
 Settings settings_for(const FakeBhaptics& first, const FakeBhaptics& second) {
     Settings settings;
@@ -251,7 +251,8 @@ Settings settings_for(const FakeBhaptics& first, const FakeBhaptics& second) {
     return settings;
 }
 
-/// Passes frames until the Player has got a certain request after its first `before` requests.
+/// Passes tactile frames until the bHaptics Player has got the wanted request, not counting its first
+/// `before` requests.
 void reach(LiveTactile& tactile, std::uint32_t player, FakeBhaptics& fake, const tactile::TactileFrame& frame,
            std::size_t before = 0) {
     const auto wanted = bhaptics_request(frame);

@@ -113,7 +113,8 @@ TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
     }
 }
 
-/// Hits and misses of a bot's bolts in 40 s, 10 m from a foe who walks to and fro.
+/// Hits and misses of a bot's bolts in 40 s at a foe who walks to and fro 10 m away. `lead`: share of the
+/// foe's motion for which the bot aims ahead.
 MatchStats shots_at_a_walker(double lead) {
     auto skill = skill_of(3);
     skill.lead = lead;
@@ -178,7 +179,8 @@ TEST(Bot, AShotInAnArcComesDownOnTheTarget) {
     EXPECT_NEAR(aim_of_shot(self, {1, 1.2, -100}).pitch, pi / 4, 1e-12) << "beyond the largest range";
 }
 
-/// Hits in 30 s on a bot 28 m from a foe who shoots straight at the bot's first position.
+/// Number of hits in 30 s on a bot 28 m from a foe who always shoots straight at the place where the bot
+/// began.
 std::uint32_t hits_on_a_target(std::uint32_t dodges) {
     auto skill = skill_of(3);
     skill.dodges = dodges;
@@ -328,7 +330,7 @@ TEST(Bot, KnowsTheGapsThatAnAnchorSpans) {
     }
 }
 
-/// Lowest height of the wizard's feet (m) during `duration` (s).
+/// Lowest height of the wizard's feet (m) within `duration` (s).
 template <class Foe>
 double lowest_feet(Scene& scene, std::uint32_t player, double duration, Foe&& foe) {
     double lowest = 100;
@@ -364,8 +366,8 @@ TEST(Bot, InAPanicItStepsOverAnEdge) {
 
 struct Trip {
     double seconds{};  ///< time until the spark was picked up (s)
-    double lowest{};   ///< lowest height of the feet (m)
-    double health{};   ///< health at the end (HP)
+    double lowest{};   ///< lowest height of the bot's feet on the way (m)
+    double health{};   ///< health of the bot at the end (HP)
 };
 
 /// Sends a bot without bolts to the arena's only spark (a power-up with energy), on the other side of the

@@ -42,7 +42,7 @@ protected:
         return out;
     }
 
-    /// Texel at a position in the brew's frame.
+    /// Texel of the drawn brew at a position, which is given in the brew's frame.
     render::Texel texel_at(const std::vector<render::Texel>& all, vec3 at) const {
         const auto& l = brew.fluid.lattice;
         const vec3 cell = (at - brew.corner) / l.h;

@@ -12,7 +12,7 @@ inline Extent round_extent(ExtentShape shape, double radius) {
     return {.shape = shape, .half = vec3(radius)};
 }
 
-/// A tool with one filter for the density.
+/// A tool with one operation: it moves the density around a place towards a constant, at a rate (1/s).
 inline Tool density_filter(double radius, double constant, double rate = 12) {
     return {"filter",
             {{.method = Method::filter,
@@ -56,7 +56,7 @@ inline std::uint64_t hash_of(Voxels& body) {
     return voxel_hash(body.view(), none);
 }
 
-/// Returns true if any bit of this voxel differs.
+/// Returns true if any bit of this voxel differs between two bodies.
 inline bool differs(const Voxels& a, const Voxels& b, std::size_t voxel) {
     const auto bits = [voxel](const Voxels& body) {
         return std::bit_cast<std::uint32_t>(body.density[voxel]);

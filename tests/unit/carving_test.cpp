@@ -169,7 +169,7 @@ TEST(Carving, ACutGoesThroughAlongTheMotion) {
     const Tool tool = density_constant({.shape = ExtentShape::plate, .half = {1, 30, 1}}, 0);
     // The blade stands along y and moves along x: the slot is thin along z.
     const Edit e = edit(body.view(), tool, {.place = place_of(body, {35, 12, 11}), .motion = {0.30, 0, 0}});
-    // On each side one voxel beyond the path, half-way in the tool's soft edge
+    // The change reaches one voxel beyond the path on each side, half-way into the tool's soft edge.
     EXPECT_EQ(e.changed, (VoxelBox{{4, 0, 10}, {37, 24, 13}}));
     for (int i = 5; i <= 35; ++i) {
         for (int j = 0; j < 24; ++j) {

@@ -92,7 +92,7 @@ TEST(Casting, AStarIsNotTwoCircles) {
 
 std::string_view name_of(Figure figure) { return gesture::figure_names()[static_cast<std::size_t>(figure)]; }
 
-/// The same stroke from a device that reports the hand's position only in every `every`-th point.
+/// The same stroke as a slow device reports it: the hand's position changes only in every `every`-th point.
 DrawnStroke told_seldom(DrawnStroke stroke, std::uint32_t every) {
     const double viscosity = data()->casting->viscosity;
     const auto place = [&](std::uint32_t i) {
@@ -122,7 +122,8 @@ TEST(Casting, ReadsAStrokeOfADeviceThatTellsItsPlaceSeldom) {
             };
             smooth += is_read(stroke);
             for (const std::uint32_t k : {0U, 1U}) {
-                const auto told = told_seldom(stroke, k + 3);  // a device that reports every 24 or 32 ms
+                // A device that reports a position every 24 or 32 ms.
+                const auto told = told_seldom(stroke, k + 3);
                 seldom.at(k) += is_read(told);
                 EXPECT_NEAR(mean_force_of(told), mean_force_of(stroke), 0.25 * mean_force_of(stroke));
             }
@@ -232,12 +233,12 @@ LastReading read_star(Drawer& drawer, int jumps) {
 TEST(Casting, AStarMayBeFastButNotTooFast) {
     Drawer drawer;
     drawer.wait(8);
-    for (const int jumps : {38, 60, 120}) {  // durations of 0.3 to 1 s
+    for (const int jumps : {38, 60, 120}) {  // strokes that last 0.3 to 1 s
         const auto reading = read_star(drawer, jumps);
         ASSERT_NE(reading.gesture, no_gesture) << jumps;
         EXPECT_EQ(shipped().name(reading.gesture), "star");
     }
-    const auto reading = read_star(drawer, 25);  // 0.2 s: so fast that the hand cuts the corners
+    const auto reading = read_star(drawer, 25);  // in 0.2 s: so fast that the hand cuts the corners
     EXPECT_EQ(reading.gesture, no_gesture);
     EXPECT_EQ(shipped().name(reading.nearest), "star");
     EXPECT_TRUE(is_too_fast(*data()->casting, reading.force)) << reading.force;
@@ -249,7 +250,7 @@ TEST(Casting, TheHandIsBackWhereItWas) {
     drawer.wait(8);
     for (int times = 0; times < 20; ++times) {
         drawer.hand().press(input::Button::trace);
-        drawer.circle(407 + times, 700, 4);  // an open curve, which ends at another place
+        drawer.circle(407 + times, 700, 4);  // an open curve, which ends at another place than it began
         drawer.hand().buttons = 0;
         drawer.wait(33);
         EXPECT_EQ(drawer.match.world().get<HandState>(drawer.wizard()).home, vec3(0)) << times;

@@ -353,7 +353,7 @@ TEST_F(Content, TheShippedFilesHaveNoFault) {
     EXPECT_EQ(with_foreign.faults.size(), 2U);
 }
 
-/// These values are playable, so they are noted and are no faults.
+/// These values are playable, so the check notes them but does not count them as faults.
 TEST_F(Content, WhatIsProbablyNotMeantIsNoted) {
     const auto note_after = [&](const Mistake& mistake) {
         make(mistake);

@@ -1,4 +1,4 @@
-// Tests of the names by which prompts call controls.
+// Tests of the names by which prompts on the screen call keys and buttons.
 #include "game/settings/control_names.h"
 
 #include <gtest/gtest.h>

@@ -71,7 +71,7 @@ TEST(CoreBytes, WrongVarintsAreRefused) {
     EXPECT_FALSE(varint_of(bytes_of({0x80})).second);
     EXPECT_FALSE(varint_of(Bytes(10, std::byte{0x80})).second);
     Bytes too_large(9, std::byte{0xff});
-    too_large.push_back(std::byte{0x02});  // sets bit 65
+    too_large.push_back(std::byte{0x02});  // sets a 65th bit, one too many
     EXPECT_FALSE(varint_of(too_large).second);
     too_large.back() = std::byte{0x01};
     EXPECT_EQ(varint_of(too_large), std::pair(max_64, true));

@@ -31,7 +31,7 @@ protected:
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
     }
 
-    /// Expects an error of one line that names the path and contains `what`.
+    /// Expects that a call failed with an error of one line that names the path and contains `what`.
     static void expect_refused(const auto& result, const fs::path& path, std::string_view what) {
         ASSERT_FALSE(result.has_value());
         const auto& message = result.error().message;
@@ -290,7 +290,7 @@ TEST_F(CoreFile, LongWorkLearnsFirstThatItsOutputCannotBeWritten) {
     EXPECT_EQ(files(), 2);
 }
 
-/// For root, a rename would replace /dev/null by an ordinary file.
+/// For root, a rename would replace the device /dev/null by an ordinary file, so the writer must refuse it.
 TEST_F(CoreFile, NeverReplacesADevice) {
     expect_refused(write_text_file("/dev/null", "x"), "/dev/null", "not an ordinary file");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));

@@ -110,7 +110,7 @@ TEST(CoreJson, CopiesAndMovesWhole) {
     first = Json();
     EXPECT_TRUE(first.is_null());
     first = Json{{"b", third}};
-    first = *first.find("b");  // assigns a part of the value to the value
+    first = *first.find("b");  // assigns a part of a value to that value
     EXPECT_EQ(dump(first), written);
 }
 

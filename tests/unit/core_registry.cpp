@@ -23,7 +23,7 @@ std::vector<std::string_view> names_of(const Registry<Kind>& registry) {
     return names;
 }
 
-/// The names in a registry to which these values were added in this order.
+/// The names in a new registry, after these values were added to it in this order.
 template <class Kind>
 std::vector<std::string_view> names_after(const std::vector<Kind>& added) {
     Registry<Kind> registry;
@@ -70,7 +70,7 @@ TEST(RegistryDeathTest, ANameTwiceStopsTheProgramAndIsTold) {
     EXPECT_DEATH(registry.add({"soup", 2}), "two parts of the program have the name soup");
 }
 
-/// Spices found by the first constructor of this source, before its registrations.
+/// Number of spices (kinds that this test registers) that a constructor finds before the registrations below.
 const std::size_t found_first = registry_of<Spice>().all().size();
 const Registration<Spice> second({"thyme", 2});
 const Registration<Spice> first({"basil", 1});

@@ -9,7 +9,7 @@
 namespace thaum {
 namespace {
 
-/// All cells of the columns t and x, with their lines; or the error.
+/// All cells of the columns t and x of a table, each with its line; or the error.
 std::string read(std::string_view csv, std::string_view usual_titles = {}) {
     TableReader table(csv, "f", usual_titles);
     const auto t = table.column("t"), x = table.column("x");

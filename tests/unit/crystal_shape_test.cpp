@@ -43,7 +43,7 @@ std::size_t connected_voxels(const std::vector<float>& density) {
 
 struct Counts {
     std::size_t key{}, both{}, either{};
-    vec3 reach{};  ///< greatest distance of the key's voxels from the middle, along each axis (voxels)
+    vec3 reach{};  ///< greatest distance of the hidden key's voxels from the middle, along each axis (voxels)
 };
 
 Counts counts_of(const std::vector<float>& key, const std::vector<float>& rough) {

@@ -24,7 +24,7 @@
 namespace thaum::game::test {
 namespace {
 
-// ---- touching ---------------------------------------------------------------------------------------------
+// ---- touching a crystal -----------------------------------------------------------------------------------
 
 TEST(Crystal, NobodysTouchMeansNoVoxels) {
     const auto match = at_the_crystal(false);
@@ -68,7 +68,7 @@ TEST(Crystal, TheOverlapOfKnownBodies) {
     EXPECT_EQ(crystal.touched, 1U);
 }
 
-// ---- carving ----------------------------------------------------------------------------------------------
+// ---- carving a crystal ------------------------------------------------------------------------------------
 
 TEST(Crystal, CountsWhileTwoCarveWithAllToolsAreThoseOfAFullCount) {
     const auto match = at_the_crystal();
@@ -163,7 +163,7 @@ TEST(Crystal, WorkEndsWithStirWithDeathAndOutOfReach) {
     EXPECT_FALSE(match->world().has<AtStation>(wizard));
 }
 
-// ---- the Lens ---------------------------------------------------------------------------------------------
+// ---- the Lens (the prize for a finished crystal) ----------------------------------------------------------
 
 /// Makes the crystal's body equal to the shape hidden in it, so that the next use of a tool completes the
 /// crystal.
@@ -194,7 +194,7 @@ TEST(Crystal, ACarvedKeyGivesTheLensAndANewRoughBody) {
     EXPECT_EQ(count_of(*match, EventKind::lens_lost), 1U);
 }
 
-// ---- chips ------------------------------------------------------------------------------------------------
+// ---- chips that shots break off a crystal -----------------------------------------------------------------
 
 /// A match in which the first wizard is far from the crystals, so that no hand touches them.
 std::unique_ptr<Simulation> nobody_near() {
@@ -204,7 +204,7 @@ std::unique_ptr<Simulation> nobody_near() {
     auto& motion = world.get<Motion>(wizard);
     motion.position = {8, match->data().wizard.height / 2, 16.5};
     match->physics().set_state(wizard.index, motion);
-    world.get<Gaze>(wizard) = {pi / 2, 0};  // the wizard looks towards -x, at the crystal's height
+    world.get<Gaze>(wizard) = {pi / 2, 0};  // the wizard looks towards -x, at the height of a crystal there
     return match;
 }
 
@@ -281,7 +281,7 @@ TEST(Crystal, ALobThatBurstsBesideItChipsItAndOneFarAwayDoesNot) {
     }
 }
 
-// ---- restored states --------------------------------------------------------------------------------------
+// ---- states of crystals that are restored -----------------------------------------------------------------
 
 TEST(Crystal, RestoredWhileTwoCarveItGoesOnToTheSameBits) {
     const auto match = at_the_crystal();
@@ -353,7 +353,7 @@ TEST(Crystal, EditedDataKeepWhatWasCarved) {
     expect_full_count(*fewer, crystal_in(*fewer), *fewer);
 }
 
-// ---- hostile input ----------------------------------------------------------------------------------------
+// ---- hostile input at a crystal ---------------------------------------------------------------------------
 
 TEST(Crystal, CarvingUnderTheHandStaysWithinTheCapsAndCreatesNoEnergy) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
@@ -392,7 +392,7 @@ TEST(Crystal, NaNDoesNotGetInAndDoesNotGetOut) {
     }
 }
 
-// ---- data files -------------------------------------------------------------------------------------------
+// ---- data files of crystals -------------------------------------------------------------------------------
 
 TEST(CrystalRules, ToolsComeFromTheirFilesInTheOrderOfTheKeys) {
     const auto data = duel_data();

@@ -8,7 +8,7 @@
 namespace thaum::game::test {
 namespace {
 
-// ---- turning ----------------------------------------------------------------------------------------------
+// ---- turning a crystal ------------------------------------------------------------------------------------
 
 TEST(Crystal, WalkingSidewaysTurnsItAndTheCarverStays) {
     const auto match = at_the_crystal(false);

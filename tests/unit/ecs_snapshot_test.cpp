@@ -46,7 +46,7 @@ struct EcsSnapshot : testing::Test {
 TEST_F(EcsSnapshot, ARestoredWorldGoesOnTheSameWay) {
     fill(world, 1000);
     save(world, bytes);
-    copy.create(Health{});  // must be gone after the restore
+    copy.create(Health{});  // this entity must be gone after the restore
     ASSERT_TRUE(restore(copy, bytes).has_value());
     EXPECT_EQ(state_hash(copy), state_hash(world));
     EXPECT_EQ(copy.size(), world.size());
@@ -110,7 +110,7 @@ TEST_F(EcsSnapshot, ABlobIsSavedHashedAndEmptiedWithTheWorld) {
     const auto with = state_hash(world);
     EXPECT_NE(with, without);
     save(world, bytes);
-    copy.resize<Levels>(3);  // must be gone after the restore
+    copy.resize<Levels>(3);  // this size must be gone after the restore
     ASSERT_TRUE(restore(copy, bytes).has_value());
     EXPECT_EQ(state_hash(copy), with);
     EXPECT_TRUE(std::ranges::equal(copy.blob<Levels>(), world.blob<Levels>()));

@@ -101,7 +101,8 @@ TEST_F(EcsWorld, OrderDependsOnTheHistoryOfThisWorldAlone) {
     };
     World other;
     declare_all(other);
-    // Another World with other views and tables, used in between, must not matter.
+    // Work in another World, with other views and tables, happens in between. It must not change what these
+    // two Worlds do.
     World stranger;
     declare_all(stranger);
     stranger.create(Health{}, Burning{});
@@ -187,7 +188,7 @@ TEST_F(EcsWorld, AComponentMayBeCopiedFromTheTableThatGrowsForIt) {
 
 using EcsWorldDeath = EcsWorld;
 
-/// A component of `size` bytes, in which neighbouring bytes differ.
+/// A component of `size` bytes, in which neighbouring bytes differ, so that a wrong copy shows.
 template <std::size_t size>
 struct Cell {
     std::array<std::uint8_t, size> value{};
@@ -201,8 +202,8 @@ Cell<size> cell(std::uint32_t entity) {
     return out;
 }
 
-/// Sizes just below and above each word size with which cells are copied, and the game's own sizes up to 128
-/// (bytes).
+/// Sizes of components (bytes): just below and above each size of a word with which tables copy them, and the
+/// game's own sizes up to 128.
 constexpr std::array<std::size_t, 24> cell_sizes{1,  2,  3,  4,  5,  7,  8,  9,  12, 15, 16,  17,
                                                  24, 31, 32, 33, 40, 44, 63, 64, 65, 96, 120, 128};
 

@@ -15,7 +15,7 @@
 namespace thaum::game::rig {
 namespace {
 
-/// Constants of RFC 6455.
+/// Constants of the WebSocket protocol (RFC 6455).
 constexpr const char* handshake_guid = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
 constexpr unsigned char final_text = 0x81, first_text = 0x01, more = 0x00, final_more = 0x80, ping = 0x89,
                         pong = 0x8A;

@@ -12,7 +12,7 @@
 
 namespace thaum::game::rig {
 
-/// Behaviour of the fake.
+/// Behaviour of the fake Player (the vest maker's program) towards its client.
 enum class Manner : std::uint8_t {
     replies,          ///< answers each request, with one device
     replies_no_vest,  ///< answers each request, with no device
@@ -40,7 +40,7 @@ public:
     std::uint16_t port() const { return port_; }
     void behave(Manner manner) { manner_ = manner; }
     void redirect_to(std::uint16_t port) { other_port_ = port; }
-    /// All requests so far.
+    /// All requests that the fake has got so far.
     std::vector<std::string> texts() const;
     /// First line of the last connection's HTTP request.
     std::string first_line() const;

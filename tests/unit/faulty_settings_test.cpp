@@ -6,7 +6,7 @@
 namespace thaum::game {
 namespace {
 
-/// A settings file with every kind of wrong value, and the settings that its correct values give.
+/// A settings file with every kind of wrong value, then the settings that result from its correct values.
 constexpr const char* partly_wrong = R"(version = 1
 fov_deg = 500
 text_scale = 2.0

@@ -17,7 +17,7 @@ struct Felt {
     std::condition_variable changed;
     bool present{true};    ///< false: the output cannot be opened
     bool connected{true};  ///< false: the output has been unplugged
-    bool hangs{};          ///< true: the next call of `write` or `open` does not return
+    bool hangs{};          ///< true: calls of `write` and `open` do not return until it is false
     bool wants_every{};    ///< true: the output asks for every frame that is not silent
     bool in_hang{};        ///< true: a call hangs at the moment
     int opened{}, closed{}, silenced{};

@@ -155,7 +155,8 @@ struct JacketRig {
         scene->set_sound(strengths);
         scene->take(match);
     }
-    /// Energy of each of the five rows of a jacket, both sides, from the top.
+    /// Energy of each of the five rows of a jacket's cells (actuators), front and back together, from the
+    /// top.
     std::array<double, 5> rows() const {
         std::array<double, 5> sums{};
         for (std::size_t i = 0; i < 40; ++i) {
@@ -200,7 +201,8 @@ TEST(FeltSoundOnAJacket, TheRowFollowsTheStrengthAndIsSilentSoonAfterTheSound) {
         rig.play({wanted, 0, 0});
         double sum = 0;
         for (const double row : rig.rows()) sum += row;
-        // The cells at the edge of the row would be too weak for a motor, and are left out.
+        // The outermost cells (actuators) of the row would get too little for a motor and stay off, hence the
+        // tolerance.
         EXPECT_NEAR(std::sqrt(sum), effect.level(wanted), 0.05 * effect.level(1)) << i;
     }
     for (int i = 0; i < 8; ++i) rig.play({});

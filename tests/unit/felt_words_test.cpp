@@ -67,7 +67,8 @@ struct Source {
     std::string words;
 };
 
-/// Sounds and effects of all events, of all wands and of the match's state, and all forces on the hand.
+/// Everything that has a caption: sounds and effects of all events, of all wands and of the match's state,
+/// and all forces on the hand.
 std::vector<Source> all_sources(const Presentation& shown, const MatchSounds& sounds,
                                 const MatchEffects& effects) {
     std::vector<Source> all;
@@ -110,7 +111,7 @@ TEST(FeltWords, CaptionsCoverEveryEvent) {
     for (const auto& wand : data->wands) EXPECT_FALSE(wand.look.steady_force.empty());
 }
 
-/// Whether the first player gets a caption for an event that happens 3 m away.
+/// Whether the first player gets a caption, in words on the screen, for an event that happens 3 m away.
 bool is_told(const std::shared_ptr<const SenseData>& data, EventKind kind) {
     WordsRig rig(data);
     rig.happen(kind, rig.middle() + vec3(0, 0, 3));
@@ -130,7 +131,7 @@ TEST(FeltWords, EachEventWithASoundOrAnEffectIsToldWhenItHappens) {
     }
 }
 
-// ---- captions of hurts -----------------------------------------------------------------------------------
+// ---- captions of hits on the player ----------------------------------------------------------------------
 
 TEST(FeltWords, TheOwnHitHasItsSideAndIsToldOnce) {
     constexpr std::array<std::pair<vec3, const char*>, 4> places{{{{0, 0, -3}, "hit from ahead"},

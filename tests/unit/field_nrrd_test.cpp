@@ -27,7 +27,7 @@ float sample(const Volume& v, int i, int j, int k, int c = 0) {
     return v.samples[static_cast<std::size_t>(at)];
 }
 
-// ---- what is read -----------------------------------------------------------------------------------------
+// ---- what is read from NRRD files -------------------------------------------------------------------------
 
 TEST_F(VolumeFiles, SamplesOfEitherByteOrderRawOrPacked) {
     for (const bool big : {false, true}) {
@@ -190,7 +190,7 @@ TEST_F(VolumeFiles, TheRealScanReads) {
     EXPECT_EQ(read_volume(in_folder("again.nrrd"))->samples, v.samples);
 }
 
-// ---- written and read again -------------------------------------------------------------------------------
+// ---- volumes written and read again -----------------------------------------------------------------------
 
 void expect_same(const Volume& a, const Volume& b) {
     EXPECT_EQ(a.count, b.count);

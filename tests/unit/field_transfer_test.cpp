@@ -152,7 +152,8 @@ TEST(TransferFunction, DrawingChangesOneColumnAlone) {
 }
 
 TEST(TransferFunction, AStrokeKeepsWhatTheMouseDrew) {
-    // A parabola is drawn slowly and quickly, from right to left, over other points.
+    // A parabola is drawn from right to left at three speeds of the mouse (the lengths of its steps). It must
+    // replace the points that the function has there.
     const auto curve = [](double x) { return 4 * x * (1 - x); };
     for (const double step : {0.003, 0.02, 0.11}) {
         TransferFunction f = through({{0, 9}, {0.31, -9}, {0.31, 9}, {1, -9}});

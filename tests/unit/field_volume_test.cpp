@@ -1,4 +1,4 @@
-// Tests of volumes in memory and of the procedural ones.
+// Tests of volumes in memory, and of procedural volumes, which formulas fill.
 #include "field/volume.h"
 
 #include <gtest/gtest.h>

@@ -111,12 +111,13 @@ TEST(FluidMixing, FilledShareTellsHowFarABlobHasSpread) {
             set_substance(fluid, 0, density);
             return filled_share(fluid, fluid.state.substances[0]);
         };
-        // 0, because there is none of the substance.
+        // 0, because the fluid contains none of the substance.
         EXPECT_EQ(filled_share(fluid, fluid.state.substances[0]), 0);
         EXPECT_NEAR(filled([](vec3) { return 0.3; }), 1, 1e-6);
         EXPECT_NEAR(filled([](vec3 p) { return p.x < 0.5 ? 0.7 : 0.0; }), 0.5, 1e-6);
         const double small = filled([](vec3 p) { return p.x < 0.5 && p.z < 0.5 && p.y < 0.5 ? 4.0 : 0.0; });
-        // An eighth of the box. The share of the bowl is a little smaller, because a bowl is narrower below.
+        // The substance fills an eighth of the box. Its share of the bowl is a little smaller, because a bowl
+        // is narrower below.
         EXPECT_NEAR(small, 0.125, 0.03);
         EXPECT_EQ(mixing(fluid, 0), 0);
         const double even = filled([](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });

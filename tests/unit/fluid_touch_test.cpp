@@ -12,8 +12,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Damping that the hand feels (N s/m) for 1 N s/m in the bowl: the force scale s_f times the length scale
-/// s_x between hand and bowl.
+/// Damping that the hand feels (N s/m) if the bowl has 1 N s/m. Between hand and bowl, forces are scaled by
+/// s_f and lengths by s_x, so damping is scaled by their product.
 constexpr double felt_share = 16.0 / 256;
 
 vec3 in_device(const FluidTouch& fluid, vec3 bowl) { return glm::transpose(fluid.frame.turn) * bowl; }
@@ -21,7 +21,7 @@ vec3 any_vector(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- drag -------------------------------------------------------------------------------------------------
+// ---- drag on a stirring hand ------------------------------------------------------------------------------
 
 TEST(FluidTouch, EachModeFollowsItsEquation) {
     Random random{3};
@@ -93,9 +93,9 @@ TEST(FluidTouch, AFreeHandReachesTheVelocityOfTheFlow) {
     }
 }
 
-/// Share z of its velocity that a mass keeps in a tick: solves 1 - z = gain (1 + z) / 2 (1/8) sum z^-j. The
-/// mass is braked in proportion to its mean velocity over the last 8 ticks, with a force that is constant
-/// within each tick.
+/// Share z of its velocity that a mass keeps in a tick. The mass is braked in proportion to its mean velocity
+/// over the last 8 ticks, with a force that is constant within each tick. So z solves 1 - z = gain (1 + z) /
+/// 2 (1/8) sum of z^-j over j = 1 to 8.
 double decay_per_tick(double gain) {
     double low = 0.9, high = 1;
     for (int i = 0; i < 200; ++i) {
@@ -226,7 +226,7 @@ TEST(FluidTouch, AnOldModelContinuesLikeANewOne) {
     EXPECT_GT(glm::length(fresh.state.fluid.force) + std::abs(fresh.state.fluid.surface_force), 0.1);
 }
 
-// ---- wall -------------------------------------------------------------------------------------------------
+// ---- the wall of the bowl ---------------------------------------------------------------------------------
 
 /// Distance of a place from the inside of the bowl, the largest over the straight pieces of the bowl's
 /// outline (m); negative inside.
@@ -305,7 +305,7 @@ TEST(FluidTouch, TheWallNeverPulls) {
     EXPECT_NEAR(rig.feel_moving({2, 0.5, 0}, {}).x, -100, 1e-9) << "above the rim the wall is vertical";
 }
 
-// ---- surface ----------------------------------------------------------------------------------------------
+// ---- the surface of the liquid ----------------------------------------------------------------------------
 
 BrewSurface surface_of(const fluid::SpringSurfaceSettings& s, const fluid::ProbeReaction& r) {
     return {.height = r.height,
@@ -397,7 +397,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     EXPECT_EQ(rig.state.fluid.immersed, 0);
 }
 
-// ---- inertia and recoil -----------------------------------------------------------------------------------
+// ---- inertia of the ladle, and recoil ---------------------------------------------------------------------
 
 TEST(FluidTouch, TheLadleHasItsMass) {
     for (const double strength : {1.0, 0.5}) {
@@ -453,7 +453,7 @@ TEST(FluidTouch, AThrownSubstanceRecoilsByItsImpulse) {
     EXPECT_EQ(recoil_peak(rig.fluid(), impulse, 30), vec3(0));
 }
 
-// ---- switched off, and switches ---------------------------------------------------------------------------
+// ---- forces switched off, and switches between them -------------------------------------------------------
 
 TEST(FluidTouch, AtZeroStrengthThereIsNoForce) {
     StirringRig none, off;
@@ -470,7 +470,8 @@ TEST(FluidTouch, AtZeroStrengthThereIsNoForce) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
             rig->model.steady_force.number =
-                // Another number says that the force has jumped, which counts as a switch, too
+                // A new number of the steady force says that the force has jumped, which counts as a switch,
+                // too
                 1 + static_cast<std::uint64_t>(tick) / 7;
         }
         off.fluid().number = none.model.steady_force.number;

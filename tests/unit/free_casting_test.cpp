@@ -156,7 +156,8 @@ struct Tally {
     std::size_t drawn = 0, right = 0, wrong = 0;
 };
 
-/// Draws a stroke, with a rest before and after it. The stroke is given as places (counts) by time (s).
+/// Lets `draw` draw a stroke of a gesture, with a rest before and after it, and counts whether it cast the
+/// spell of that gesture or another one.
 template <class Draw>
 void count_stroke(Free& play, std::string_view gesture, Draw&& draw, Tally& tally) {
     play.rest(1.2);
@@ -189,7 +190,7 @@ TEST(FreeCasting, FindsTheStrokesOfManyUsersAndSeldomTakesOneForAnother) {
     EXPECT_LE(tally.wrong, tally.drawn / 40);
 }
 
-/// Place on the outline of a gesture of height 2, at a share of its path.
+/// Point at a share of the way along the outline of a gesture, which is 2 high.
 vec2 figure_at(std::string_view name, double share) {
     const auto corner = [](double k) {
         return vec2(std::sin(4 * pi * (k + 0.5) / 5), std::cos(4 * pi * (k + 0.5) / 5));
@@ -267,7 +268,7 @@ TEST(FreeCasting, TellsWhyACircleCastNothing) {
     EXPECT_EQ(play.casts(), 2U);
 }
 
-/// Draws a part of a circle after a pause, and returns the reason why no spell was cast.
+/// Draws a part of a circle after a pause. Returns the reason why this cast no spell.
 Miss reason_after_part(Free& play, double turns, double s, double pause = 1.2) {
     play.rest(pause);
     const auto begin = play.place();

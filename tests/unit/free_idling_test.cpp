@@ -42,7 +42,7 @@ class Idling {
 public:
     Idling(std::uint64_t seed, bool by_arm) : random_(random_stream(seed, 0x1d1e)), by_arm_(by_arm) {}
 
-    /// The place after another gameplay tick (m).
+    /// Place of the hand after another gameplay tick (m).
     vec3 next() {
         if (legs_.empty() && scribbled_ <= 0) begin();
         now_ += gameplay_dt;

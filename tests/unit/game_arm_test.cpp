@@ -27,8 +27,8 @@ MatchSetup one_arm() {
                         {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}};
 }
 
-/// A match, with short rounds by default, and the thread of an arm. A random generator decides when the
-/// thread is ahead of the match or behind it.
+/// A match, with short rounds by default, and the thread of an arm (a haptic device). A random generator
+/// decides when the thread is ahead of the match or behind it.
 struct ArmMatch {
     std::shared_ptr<const MatchData> data = short_rounds();
     Simulation match{data, one_arm()};
@@ -42,7 +42,7 @@ struct ArmMatch {
     std::uint32_t epoch = 0, samples = 0;
     bool still = false;        ///< true: the arm sends no samples
     bool resting = false;      ///< true: the arm does not move
-    std::int32_t back_um = 0;  ///< displacement towards the user (um)
+    std::int32_t back_um = 0;  ///< displacement of the arm towards its user (um)
     std::array<std::int32_t, 3> turned_urad{};
     /// Force that the arm has exerted at each sample (N); the index is the sample's height in um
     std::vector<vec3> told{{}};

@@ -63,7 +63,7 @@ TEST(GameCauldron, RestoredWhileItIsStirredItGoesOnToTheSameBits) {
 }
 
 TEST(GameCauldron, TheBrewGetsTheLadlesPushAndNotTheForceOnTheHand) {
-    // Without forces the hand feels nothing, but stirs as strongly.
+    // With its forces switched off the hand feels nothing, but stirs as strongly.
     const auto felt = at_the_rim(0), unfelt = at_the_rim(0, {"haptics.share=0"});
     for (Tick t = 0; t < 400; ++t) {
         felt->tick(stirring(t));
@@ -79,8 +79,8 @@ TEST(GameCauldron, TheBrewGetsTheLadlesPushAndNotTheForceOnTheHand) {
 
 using Percents = std::array<std::uint32_t, input::fluid_faders>;
 
-/// Player 1 stirs with an arm on a fixed path, whatever its forces. `percents` are how strongly the player
-/// feels each effect of the brew.
+/// Player 1 stirs with an arm, which is moved along a fixed path whatever force it exerts. `percents` are how
+/// strongly the player feels each effect of the brew.
 struct HeldLadle {
     std::unique_ptr<Simulation> match;
     input::ArmServo servo{};

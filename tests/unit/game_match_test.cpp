@@ -62,7 +62,7 @@ TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
     EXPECT_NE(message("quick.kills=[").find("no value"), std::string::npos);
 }
 
-// ---- rules ------------------------------------------------------------------------------------------------
+// ---- rules of a match -------------------------------------------------------------------------------------
 
 TEST(GameRules, TheRuleSetFollowsItsFile) {
     const auto thaum = duel_data();

@@ -14,7 +14,7 @@ namespace {
 
 using input::DeviceKind;
 
-// A context, through which systems reach shared data, gives them no write access to data and input.
+// Systems reach shared data through a context. It must give them no write access to data files and input.
 template <class Context>
 concept WritesData = requires(Context& context) {
     context.data.wizard.health = 1;
@@ -31,10 +31,11 @@ template <class R>
 concept Writable = requires(R& resource) {
     resource.write();
 };
-// A function that takes a const context writes no resource.
+// A function that gets a const context must not be able to write a resource (shared data besides components).
 static_assert(Writable<decltype(MatchContext::physics)> && !Writable<const decltype(MatchContext::physics)>);
 
-/// Tests that only a system that declared access may read or write the resource.
+/// Tests that a system may read or write a resource (shared data besides components) only if it has declared
+/// that access.
 template <class R>
 void expect_checked(ecs::World& world, ecs::Resource<R>& resource) {
     const auto declared = world.mask<R>();
@@ -93,7 +94,7 @@ TEST_F(GameSystems, AnUndeclaredCallOfTheGameIsCaught) {
     runs({}, world.mask<Body, resource::Physics>(), remove_body);
 }
 
-/// Removes from `names` those systems of the match that have run.
+/// Removes the systems that have run in the match from `names`.
 void strike_out(Simulation& match, std::set<std::string_view>& names) {
     for (const auto* schedule : {&match.always(), &match.live()}) {
         for (std::size_t i = 0; i < schedule->size(); ++i) {

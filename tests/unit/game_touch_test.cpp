@@ -100,8 +100,8 @@ TEST(HapticSetup, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
     EXPECT_NE(gaze(), yaw);
 }
 
-/// Displacement of the wand's tip to the right while the hand is at the right edge of a device with the given
-/// width (m).
+/// Distance (m) by which the wand's tip is to the right if the hand is at the right edge of a device whose
+/// workspace has this width (m).
 double reach_of_tip(const Simulation& match, std::uint32_t player, double width) {
     const double wand_per_hand = match.haptic_setup().wand_per_hand[player];
     HandState hand_state = empty_hand_state();
@@ -122,7 +122,7 @@ TEST(HapticSetup, ANarrowerDeviceReachesAsFar) {
     EXPECT_NEAR(reached, 0.8, 1e-12);
 }
 
-/// For a real arm the reported box counts, not that of the simulated device model.
+/// For a real arm the box (workspace) that it reports counts, not that of the simulated device model.
 TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
     constexpr auto arm_kind = input::DeviceKind::arm;
     const auto data = duel_data();
@@ -135,7 +135,7 @@ TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
     };
     EXPECT_NEAR(reach({100'000, 100'000, 100'000}, arm_kind, 0.1), 0.8, 1e-12);
     EXPECT_NEAR(reach({381'000, 267'000, 191'000}, arm_kind, 0.381), 0.8, 1e-12);
-    // Impossible boxes count as unknown, and so does the box of a device that is not an arm.
+    // Impossible boxes (workspaces) count as unknown, and so does the box of a device that is not an arm.
     EXPECT_NEAR(reach({}, arm_kind, 0.16), 0.8, 1e-12);
     EXPECT_NEAR(reach({100'000, 0, 100'000}, arm_kind, 0.16), 0.8, 1e-12);
     EXPECT_NEAR(reach({1, 1, 1}, arm_kind, 0.16), 0.8, 1e-12);
@@ -178,8 +178,8 @@ TEST(HapticSetup, ARowOfForcesHoldsTheForceOnTheHand) {
     EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
 }
 
-/// Checks the limit, the energy budget and the finiteness of the forces on the bots' hands. The requested
-/// force is not recorded, so it cannot be compared.
+/// Checks limit, energy budget and finiteness of the forces on the bots' hands during a minute. The log does
+/// not contain the forces that were requested, so these cannot be compared.
 TEST(HapticSetup, TheAuditFindsNothingInAMinuteOfBots) {
     auto duel = make_duel(5);
     const auto& data = duel.match->data();

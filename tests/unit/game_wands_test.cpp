@@ -71,13 +71,13 @@ struct WandRig {
     }
 
     Simulation match;
-    std::uint8_t wand_key = 0;  ///< wand whose key is down
+    std::uint8_t wand_key = 0;  ///< number of the wand whose key is down; 0: none
 };
 
 TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
-        // No larger forces: they would warm the motors of the premium device, and warm motors give less.
+        // Larger shares would warm the motors of the premium device, and warm motors give less force.
         for (const double share : {0.1, 0.3}) {
             WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(2);
@@ -105,12 +105,14 @@ TEST(Blast, KicksByThePlayersCap) {
 }
 
 TEST(Blast, TheWholeRecoilIsFeltOnEveryDevice) {
-    // While the recoil rises, the steady force L falls as L (1 - half sine), so the sum stays below the
-    // larger of the two. The impulse of the recoil alone is 2/pi times its peak times its length.
+    // When the blast is fired, the steady force L of its charge falls as L (1 - half sine) while the recoil
+    // rises, so the sum stays below the larger of the two. The impulse of the recoil alone is 2/pi times its
+    // peak times its length.
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"omni", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
         for (const double share : {0.1, 0.3, 1.0}) {
-            // Here the charge alone heats the motors so much that the limit for heat holds the recoil back.
+            // At the full share the charge alone heats this device's motors so much that the limit for heat
+            // holds the recoil back.
             if (share == 1 && device == std::string("premium")) continue;
             WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(2);

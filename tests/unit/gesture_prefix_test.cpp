@@ -21,7 +21,8 @@ struct Score {
     double right{}, told{}, told_right{};
 };
 
-/// How often strokes of the game's spells by unknown users are recognised after a share of their length.
+/// How often strokes of the game's spells, by users whom the recogniser does not know, are recognised when
+/// only this share of their length is drawn.
 Score score_at(double share) {
     static const auto reader = reader_of(generated_templates(1));
     static const auto strokes = generated_strokes({.users = 12, .samples = 1, .seed = 5});
@@ -60,8 +61,8 @@ TEST(GesturePrefix, AWholeStrokeIsItself) {
     EXPECT_GE(whole.told, 0.85);
 }
 
-/// Statistics of the answers along the strokes of unknown users, recognised at every fiftieth of their
-/// length.
+/// Statistics of the likely gestures that are named while unknown users draw, recognised anew at every
+/// fiftieth of a stroke's length.
 struct AnswerCourse {
     double told{};     ///< share of recognitions that give an answer, counted after a quarter of the stroke
     double wrong{};    ///< share of the answers after a quarter of the stroke that are wrong
@@ -142,7 +143,8 @@ TEST(GesturePrefix, ForceTellsTwinsApartOrNothingDoes) {
     }
 }
 
-/// An S and one that bows to a side: careless strokes of one shape, since any third gesture is far from both.
+/// Twins here are an S drawn softly and an S that bows to one side, drawn hard. Since any third gesture is
+/// far from both, they count as one shape, drawn carelessly, and only their force tells them apart.
 TEST(GesturePrefix, TwinsAreThoseOfTheRecogniserOfWholeStrokes) {
     auto bowed = ess();
     for (auto& p : bowed) p.at.x += 1.4 * std::sin(pi * p.t);
@@ -157,7 +159,8 @@ TEST(GesturePrefix, TwinsAreThoseOfTheRecogniserOfWholeStrokes) {
     const auto reader = reader_of(gestures);
     EXPECT_EQ(told(reader, 0.5), 0U);
     EXPECT_EQ(told(reader, 1.118), LikelyGesture::none) << "as far from both";
-    // Without the channel no force counts.
+    // If the recogniser does not compare forces (its second channel is off), the force of a stroke makes no
+    // difference.
     const auto without = PrefixReader::make(std::vector<Gesture>{gesture_of("soft", {swelling(ess(), 0.5)}),
                                                                  gesture_of("hard", {swelling(ess(), 2.5)}),
                                                                  gesture_of("circle", {circle()})},
@@ -167,7 +170,7 @@ TEST(GesturePrefix, TwinsAreThoseOfTheRecogniserOfWholeStrokes) {
               without.read(swelling(ess(), 1.118), space).probability);
 }
 
-/// A line may become each of two hooks, which turn only at the end.
+/// A line may become either of two hooks, which turn only at the end, so until then neither may be named.
 TEST(GesturePrefix, WhatMayBecomeEitherIsNotTold) {
     const auto hook = [](double side) {
         return drawn([side](double s) { return vec3(s, s > 0.6 ? side * (s - 0.6) : 0, 0); });

@@ -160,8 +160,8 @@ TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
     EXPECT_FALSE(between.probability > 0.6) << "as near to one as to the other";
 }
 
-/// Twins (a gentle and a harsh gesture of one shape) whose templates, too, are random variations of the
-/// shape, as a hand would draw it.
+/// Twins are a gentle and a harsh gesture of one shape. They must be told apart by force even if their
+/// templates, too, are random variations of the shape, as a hand would draw it.
 TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
     const VariationSettings hand{
         .tilt = 0.02, .stretch = 0.03, .bend = 0.006, .hurry = 0.1, .ends = 0.01, .force = 0.15};
@@ -192,7 +192,8 @@ Course speeding_up() {
     return drawn([](double u) { return vec3(u * u * u, 0.2 * u, 0); });
 }
 
-/// A stroke with the force of a viscous field, or with one of its own beside it.
+/// A stroke with the force of a viscous field, which follows the hand's speed. If `own` is not 0, the hand
+/// adds a force of its own.
 Course in_field(Course stroke, double own = 0) {
     for (std::size_t i = 1; i < stroke.size(); ++i) {
         const double speed = glm::distance(stroke[i].at, stroke[i - 1].at) / (stroke[i].t - stroke[i - 1].t);
@@ -231,7 +232,8 @@ TEST(Gesture, ForceCountsOnlyWhereMostStrokesHaveOneBesideTheirSpeed) {
     EXPECT_FALSE(counts({own}, {.channels = {true, false}, .pace_counts = true})) << "it is switched off";
 }
 
-/// A stroke at another pace is as near as before, unless the pace counts, as in continuous motion.
+/// A stroke drawn with another course of speed is as near to its template as before, unless the settings say
+/// that the pace counts, as in continuous motion.
 TEST(Gesture, HowFastAHandGoesWhereDoesNotCountInAViscousField) {
     const std::vector<Gesture> gestures{gesture_of("ess", {in_field(ess())}),
                                         gesture_of("circle", {in_field(circle())})};
@@ -282,7 +284,7 @@ TEST(Gesture, BitsAreThoseOfEveryOtherBuild) {
     EXPECT_EQ(hash_of(recogniser_of(gestures), strokes), 0x4423ad73e7879ec5U);
 }
 
-/// An S that is bent to one side in its middle.
+/// An S that is bent to one side in its middle, by `by`.
 Course bent_ess(double by) {
     auto stroke = ess();
     for (std::size_t i = 0; i < stroke.size(); ++i)
@@ -384,7 +386,8 @@ TEST(GestureCollisions, TwinsCollideUnlessForceTellsThemApart) {
     EXPECT_TRUE(collide(0, 2)) << "a stroke without force";
 }
 
-/// Who holds a force apart on purpose holds it apart well. A pace scatters more.
+/// Two gestures of one shape may differ in force or in pace. A hand keeps two forces apart well if it means
+/// to, but its pace scatters more, so paces must differ more.
 TEST(GestureCollisions, TwinsOfDifferentPaceMustDifferMore) {
     const auto collide = [](double times) {
         const auto pairs = compare_gestures(

@@ -103,8 +103,8 @@ Course with_rests(const Course& stroke, double before, double within, double aft
     return result;
 }
 
-/// If a rest were found only between two points of a stroke from which points were left out, or only after
-/// its first tenths of a second, tremor would remain at the stroke's ends.
+/// A rest must be found from its first point to its last. If it were searched only in a stroke with fewer
+/// points, or only some tenths of a second after the start, tremor would remain at the stroke's ends.
 TEST(GestureShape, ARestIsLeftOutFromItsFirstPointToItsLast) {
     for (const auto& stroke : {vee(1001), ess(1001), circle(0, 1, 1001)}) {
         for (const double s : {1.0, 12.0}) {

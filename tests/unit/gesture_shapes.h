@@ -95,7 +95,8 @@ inline Course moved(Course stroke, vec3 by, double scale, double speed = 1) {
     return stroke;
 }
 
-/// A careful user: variations two thirds as large as those with which thresholds are set.
+/// A careful user: variations of strokes two thirds as large as those with which the recogniser's thresholds
+/// are set.
 inline constexpr VariationSettings careful{
     .tilt = 0.1, .stretch = 0.12, .bend = 0.035, .hurry = 0.25, .ends = 0.025};
 

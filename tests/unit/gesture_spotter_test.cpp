@@ -81,7 +81,7 @@ TEST(Spotter, FindsEachGestureOnceWithStartAndEnd) {
     }
 }
 
-/// The best (lowest) score of a gesture in a session.
+/// The best (lowest) score of a gesture at any time in a session of continuous motion.
 float best_score(const Recogniser& recogniser, const Course& session, std::uint32_t gesture) {
     Spotter spotter(recogniser, {});
     float best = 9;

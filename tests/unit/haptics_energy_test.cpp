@@ -10,7 +10,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// The reference device of the Z-width test: 0.1 kg, 0.5 N s/m, no hand, no dry friction, exact encoders.
+/// The reference device of the Z-width test (how stiff a wall may be): 0.1 kg, 0.5 N s/m, no hand, no dry
+/// friction, exact encoders.
 DeviceSpec reference_device(int latency) {
     DeviceSpec spec;
     spec.peak_force = 1000;
@@ -262,8 +263,8 @@ TEST(HapticsEnergy, ARampKeepsThePartsOfTheForceThatItEnds) {
 
 TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
     for (const int latency : {0, 1}) {
-        // The stiffness is beyond the passive bound 2 b / T, or with a tick of delay beyond the smaller bound
-        // that this delay leaves.
+        // The stiffness is beyond the passive bound 2 b / T for damping b and tick T, or with a tick of delay
+        // beyond the smaller bound that this delay leaves.
         const double stiffness = latency == 0 ? 2500 : 1500;
         const auto bare = meet_spring(stiffness, false, latency);
         const auto kept = meet_spring(stiffness, true, latency);
@@ -289,8 +290,8 @@ TEST(HapticsEnergy, OfAWeakSpringItTakesWhatTheTickAddsAndNoMore) {
     const auto kept = meet_spring(100, true, 0);
     EXPECT_GT(bare.most, 2e-5) << "half the stiffness times the square of a tick's way, each tick";
     EXPECT_LE(kept.most, 0.1 * bare.most);
-    // The device's damping alone decides how long a continuous spring oscillates. The tick adds K T / 2 of
-    // negative damping.
+    // The device's damping alone decides how long a spring oscillates in continuous time. A tick T adds K T /
+    // 2 of negative damping at the stiffness K.
     const double continuous = bare.farthest * std::exp(-(100 * tick_seconds / 2) / (2 * 0.1) * 3);
     EXPECT_GT(kept.farthest, 0.7 * continuous) << "hardly more damping than that";
 }

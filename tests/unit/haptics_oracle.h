@@ -38,7 +38,7 @@ inline std::array<Real, 3> response(Real decay, Real frequency2, Real t) {
     const Real size = std::max(2 * decay, std::sqrt(frequency2)) * t;
     const auto steps = static_cast<int>(std::ceil(4 * size)) + 1;
     const Real h = t / static_cast<Real>(steps);
-    std::array<Real, 4> y{1, 0, 0, 0};  // S', S, S1, S2
+    std::array<Real, 4> y{1, 0, 0, 0};  // S' (the slope of S), S, and its integrals S1 and S2
     for (int i = 0; i < steps; ++i) {
         auto term = y;
         for (int n = 1; n <= 24; ++n) {

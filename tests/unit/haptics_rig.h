@@ -1,4 +1,4 @@
-// Reference device of the haptic tests.
+// The reference device that the haptic tests share.
 #pragma once
 #include "tests/scenes/z_width.h"
 

@@ -26,7 +26,7 @@ inline void add(SurfacePatch& patch, SurfaceKind kind, vec3 a, vec3 b, vec3 c = 
     ++patch.count;
 }
 
-/// A patch and its contact state.
+/// A patch of surfaces near a tip, and the state of the contact between them.
 struct Probe {
     SurfacePatch patch{};
     SurfaceState state{};
@@ -45,7 +45,7 @@ inline vec3 random_vec(Random& random) {
 /// A tip that wanders at a given speed (m/s) and takes a new direction every few ticks.
 struct Wanderer {
     Random random;
-    vec3 place{};  ///< position (m)
+    vec3 place{};  ///< position of the tip (m)
     vec3 way{};
     int turns{};
 

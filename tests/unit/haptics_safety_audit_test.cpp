@@ -18,8 +18,8 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 using Arrange = std::function<void(int tick, SafetyInput&)>;
 using Spoil = std::function<vec3(int tick, vec3 output)>;
 
-/// Runs a valid second with 1.5 N (zero before), changes the output with `spoil`, and returns the violations
-/// that the audit reports.
+/// Lets the safety stage run for a second, in which 1.5 N are wanted from the start. `arrange` may change its
+/// input, `spoil` changes its output. Returns how often the audit reports a violation of the rule.
 std::uint64_t seen(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) {
     const auto limits = safety_limits(omni_like(), 1);
     SafetyState state;
@@ -32,7 +32,8 @@ std::uint64_t seen(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) 
     return audit.violations(rule);
 }
 
-/// Checks that the audit reports the changed output, and reports nothing for the unchanged output.
+/// Checks that the audit reports a violation for the spoilt output, and none for the safety stage's own
+/// output.
 void expect_caught(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) {
     EXPECT_EQ(seen(rule, arrange, [](int, vec3 output) { return output; }), 0) << name(rule);
     EXPECT_GT(seen(rule, arrange, spoil), 0) << name(rule);
@@ -53,22 +54,22 @@ Arrange from_500(const std::function<void(SafetyInput&)>& change) {
     };
 }
 
-/// Replaces the output of tick 500 by a force along y (N).
+/// Makes the output at tick 500 a force of this size along y (N).
 Spoil at_500(double bad) {
     return [bad](int tick, vec3 output) { return tick == 500 ? vec3(0, bad, 0) : output; };
 }
 
-/// Multiplies the output of one tick.
+/// Multiplies the safety stage's output of one tick by a factor.
 Spoil scaled_at(int when, double factor) {
     return [when, factor](int tick, vec3 output) { return tick == when ? output * factor : output; };
 }
 
-/// Adds a force to the output of one tick (N).
+/// Adds a force to the safety stage's output of one tick (N).
 Spoil shifted_at(int when, vec3 shift) {
     return [when, shift](int tick, vec3 output) { return tick == when ? output + shift : output; };
 }
 
-/// Adds a tiny force to the output from tick 500 on.
+/// Adds a tiny force to every output from tick 500 on.
 vec3 leak(int tick, vec3 output) { return tick < 500 ? output : output + vec3(1e-9, 0, 0); }
 
 TEST(HapticsSafetyAudit, ReportsForcesBeyondTheDevice) {
@@ -156,7 +157,8 @@ TEST(HapticsSafetyAudit, CountsTicksAndHeat) {
     for (int tick = 0; tick < 25'000; ++tick) audit.record(limits, {.wanted = {0.5, 0, 0}}, {0.5, 0, 0});
     EXPECT_EQ(audit.ticks(), 25'000U);
     EXPECT_NEAR(audit.warmth(), 0.5, 1e-12);
-    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // only the force's jump at the start
+    // Only the jump of the force at the start violates a rule.
+    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));
     for (int tick = 0; tick < 9000; ++tick) audit.record(limits, {}, {});
     EXPECT_NEAR(audit.warmth(), 0.5 * std::sqrt(0.1), 1e-12);
 }

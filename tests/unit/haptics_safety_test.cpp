@@ -74,7 +74,7 @@ TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     EXPECT_EQ(stage.feel({3.31, 0, 0}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({not_a_number, 0, 0}), vec3(0));
-    // The start gate opens; the force grows slowly, as after a switch
+    // The start gate, which waits for a force in range, opens; the force grows slowly, as after a switch
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
@@ -206,11 +206,11 @@ TEST(HapticsSafety, PanicIsZeroAtOnceAndComesBackSlowly) {
     Stage stage;
     stage.feel({.wanted = {2, 0, 0}}, 60);
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true}), vec3(0));
-    // Forces stay off after the emergency key
+    // The emergency key has been pressed, so forces stay off.
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::panic);
-    // An emergency key that is still down has priority. A wanted force out of range keeps the start gate
-    // shut, so no force passes.
+    // An emergency key that is still down has priority. Then a first wanted force out of range keeps the
+    // start gate shut, which waits for one in range, so no force passes.
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.feel({.wanted = {5, 0, 0}, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
@@ -232,7 +232,7 @@ TEST(HapticsSafety, ADeadModelRampsDownOnceAndStaysAtZero) {
     }
     EXPECT_EQ(stage.feel({.wanted = {2, -1, 0}, .model_age = 4'000'000'000}, 200), vec3(0));
     EXPECT_NEAR(glm::length(stage.feel({2, -1, 0})), 0.04, 1e-12);
-    // A model's age that jumps does not shorten the ramp.
+    // A jump of the haptic model's age does not shorten the ramp.
     stage.feel({.wanted = {2, -1, 0}}, 100);
     EXPECT_NEAR(stage.feel({.wanted = {2, -1, 0}, .model_age = 5000}).x, 2 * 0.98, 1e-12);
 }
@@ -297,20 +297,20 @@ TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
     };
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 0}, .spring = {0, 125, 0}}));
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 13}, .spring = {0, 125, 0}}));
-    // Shut off by the force that is added to the spring.
+    // The stage shuts off because of the force that is added to the spring.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 125, 14}, .spring = {0, 125, 0}}));
-    // Shut off because the spring is stretched beyond its limit.
+    // The stage shuts off because the spring is stretched beyond its limit.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 166, 0}, .spring = {0, 166, 0}}));
-    // Shut off by the part of the force that is not the spring.
+    // The stage shuts off because of the part of the force that is not the spring's.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, 20, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, not_a_number, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, not_a_number, 0}, .spring = {0, 1, 0}}));
 }
 
 TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
-    // 2.75 N for 1 s equals 0.87 N for 10 s, as a root mean square; an Omni allows 0.88 N. The stage just
-    // allows the burst, and limits it in the last fifth of the budget. A second burst right after it is
-    // limited, because the motors are warm.
+    // 2.75 N for 1 s equals 0.87 N for 10 s, as a root mean square; an Omni allows 0.88 N. The stage passes
+    // this burst unchanged for 0.8 s. It may reduce the rest, which uses the last fifth of the heat budget. A
+    // second burst right after it is reduced, because the motors are warm.
     Stage stage;
     stage.feel(vec3(0));
     double asked = 0;
@@ -328,7 +328,8 @@ TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
 }
 
 TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
-    // A minute with the worst pauses for a stage that sums heat in bins. Here the window moves tick by tick.
+    // A force comes and goes for a minute, at times that are worst for a stage that sums heat in bins. In
+    // this stage the window of 10 s moves tick by tick, so no times are worse than others.
     for (const int period : {1, 333, 500, 1499, 10'000, 60'000}) {
         Stage stage;
         stage.feel(vec3(0));

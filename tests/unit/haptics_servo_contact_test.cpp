@@ -12,7 +12,7 @@
 namespace thaum::haptics::servo_tests {
 namespace {
 
-// ---- surfaces ---------------------------------------------------------------------------------------------
+// ---- the servo at surfaces --------------------------------------------------------------------------------
 
 SurfacePatch wall_below(double height) {
     SurfacePatch patch;
@@ -83,7 +83,8 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
     }
 }
 
-/// A wall approaches a still hand, with a new model in every tick, or only in every fifth tick.
+/// A wall approaches a still hand. The force must be the same whether the servo gets a new model in every
+/// tick or only in every fifth tick.
 TEST(HapticsServo, ByAnOldModelAWallThatComesGoesOnComing) {
     Rig late, fresh;
     for (Rig* rig : {&late, &fresh}) {
@@ -144,7 +145,7 @@ TEST(HapticsServo, APatchThatIsNotThereCostsNoBit) {
     EXPECT_EQ(without.state.surface.begun, 0U);
 }
 
-// ---- primitives -------------------------------------------------------------------------------------------
+// ---- the servo and haptic primitives ----------------------------------------------------------------------
 
 PrimitiveSet primitives_of(std::initializer_list<Primitive> list) {
     PrimitiveSet set;
@@ -189,7 +190,7 @@ TEST(HapticsServo, ADirectedForcePushesAndPointAndLinePull) {
     Rig directed = rig_at({0.01, 0, 0}, primitives_of({{PrimitiveKind::directed, {}, {0, 0, 1}, 0.4}}));
     expect_force(directed, {0, 0, 0.4});
     EXPECT_LT(glm::length(directed.state.proxy - vec3(0.01, 0, 0.4 / 300)), 1e-15);
-    // The point attracts within 2 mm.
+    // The point attracts the tip within 2 mm.
     const auto point = primitives_of({{PrimitiveKind::point, {}, {}, 0.6}});
     Rig held = rig_at({0.001, 0, 0}, point), far = rig_at({0.03, 0, 0.04}, point);
     expect_force(held, {-0.3, 0, 0});
@@ -233,7 +234,7 @@ TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
 
     rig = rig_at({0, -0.001, 0}, primitives_of({floor_plane(100)}));
     rig.model.primitives = primitives_of({{PrimitiveKind::plane, {0, 0.001, 0}, {0, 1, 0}, 100}});
-    expect_force(rig, {0, 0.6, 0});  // the force follows without delay: 300 N/s
+    expect_force(rig, {0, 0.6, 0});  // the force has followed without delay, by 300 N/s
 }
 
 TEST(HapticsServo, APlaneCreatesNoMoreThanTheDelayOfATickDoes) {

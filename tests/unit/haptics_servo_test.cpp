@@ -12,7 +12,7 @@ namespace thaum::haptics::servo_tests {
 namespace {
 
 TEST(HapticsServo, ATipThatIsHereAndThereInTurnIsTooFast) {
-    for (const double apart : {0.0039, 0.0041, 0.03}) {  // distance for each tick (m); the limit is 4 m/s
+    for (const double apart : {0.0039, 0.0041, 0.03}) {  // distance per tick (m): 4 m/s is the limit of speed
         Rig rig;
         rig.model.steady_force = {{0, 0, 0.5}, 1};
         for (int tick = 0; tick < 50; ++tick) rig.feel();
@@ -62,9 +62,9 @@ TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
 }
 
 TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
-    // The tether is a spring to a moving anchor. By a model of 10 ticks ago the anchor is extrapolated, which
-    // stretches the spring. The observer counts the energy of that stretch as received, so the spring may
-    // give it back, but no more.
+    // The tether is a spring to an anchor that moves. The model is 10 ticks old, so the servo extrapolates
+    // the anchor, which stretches the spring. The observer counts the energy of that stretch as received, so
+    // the spring may give it back, but no more.
     Rig rig;
     rig.feel();
     rig.model.tether = {
@@ -94,7 +94,7 @@ TEST(HapticsServo, AThingCaughtBehindACornerDoesNotShutTheForcesOff) {
         rig.model.tether = {.number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();
     }
-    // If the world stretches the spring too far, that is still a fault.
+    // A tether that the world stretches far beyond any room (40 m) is still a fault.
     for (int time = 0; time < 3; ++time) {
         rig.model.tether = {.anchor = {40, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 50; ++tick) rig.feel();
@@ -137,7 +137,7 @@ TEST(HapticsServo, ABoltsKickHasItsWholeImpulse) {
         EXPECT_EQ(force.z > 0, tick < 15) << tick;
     }
     EXPECT_NEAR(impulse, 2 / pi * 1.2 * 0.015, 1e-12);
-    EXPECT_GT(fastest, 200);  // speed of the change (N/s): no slew limit acts on it
+    EXPECT_GT(fastest, 200);  // change (N/s), far beyond the slew limit of 40
     EXPECT_EQ(rig.cause(), SafetyCause::none);
 }
 
@@ -148,7 +148,8 @@ TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
     vec3 before{};
     for (int tick = 0; tick < 13; ++tick) {
         const vec3 force = rig.feel();
-        EXPECT_LE(glm::length(force - before), 40 * tick_seconds + 1e-12) << tick;  // within the slew limit
+        // The slew limit of 40 N/s.
+        EXPECT_LE(glm::length(force - before), 40 * tick_seconds + 1e-12) << tick;
         before = force;
     }
     EXPECT_EQ(before, vec3(0, 0, 0.5));

@@ -68,7 +68,7 @@ TEST(HapticsSimulated, TheHandFollowsItsTargetNotFasterThanItCan) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(step(device, state, {nan, 0, 0}, {}).target, state.target);
     for (int i = 0; i < 10'000; ++i) state = step(device, state, vec3(1e300), {});
-    EXPECT_LE(glm::length(state.target - device.reach), 1e-12);  // stays in the workspace
+    EXPECT_LE(glm::length(state.target - device.reach), 1e-12);  // the target stays in the workspace
 }
 
 TEST(HapticsSimulated, TheEndStopsHoldAndDoNotBounce) {

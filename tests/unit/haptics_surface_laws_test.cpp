@@ -15,7 +15,7 @@
 namespace thaum::haptics::surface_tests {
 namespace {
 
-// ---- laws -------------------------------------------------------------------------------------------------
+// ---- laws that forces of surfaces obey --------------------------------------------------------------------
 
 /// Work along a closed slow path, by the trapezoid rule (J).
 double work_round(Probe& probe, vec3 centre, vec3 u, vec3 v, int ticks) {
@@ -101,7 +101,7 @@ TEST(Surface, TurnedAndMirroredItFeelsTheSame) {
     }
 }
 
-// ---- forbidden results ------------------------------------------------------------------------------------
+// ---- what no tip and no input may cause -------------------------------------------------------------------
 
 bool inside(vec3 p, vec3 half) {
     return std::abs(p.x) < half.x && std::abs(p.y) < half.y && std::abs(p.z) < half.z;
@@ -123,7 +123,8 @@ TEST(Surface, NoSpeedTakesTheProxyThroughAClosedMesh) {
             vec3 tip(0, 0.05, 0);
             for (int n = 0; n < 100'000; ++n) {
                 const double size = std::pow(10.0, random.uniform(-6, 1));
-                // Often exactly at edges and corners, where a gap between triangles would show.
+                // Every third tip is around the middle of an edge or around a corner, where a gap between
+                // triangles would show.
                 const vec3 spot = n % 3 == 0 ? half * vec3(1, 1, n % 2 == 0 ? 1 : 0) : vec3(0);
                 tip = n % 5 == 0 ? tip + random_vec(random, 1e-3) : spot + random_vec(random, size);
                 probe.at(tip);

@@ -13,7 +13,7 @@
 namespace thaum::haptics::surface_tests {
 namespace {
 
-// ---- position of the proxy --------------------------------------------------------------------------------
+// ---- position of the proxy on surfaces --------------------------------------------------------------------
 
 TEST(Surface, APlaneIsASpringAlongItsNormal) {
     Random random{1};
@@ -168,7 +168,7 @@ TEST(Surface, AFlatMeshFeelsLikeAPlane) {
     }
 }
 
-// ---- friction ---------------------------------------------------------------------------------------------
+// ---- friction of surfaces ---------------------------------------------------------------------------------
 
 TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
     for (const double depth : {0.0005, 0.005}) {
@@ -176,7 +176,7 @@ TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
         probe.at({0, 0.001, 0});
         probe.at({0, -depth, 0});
         const double normal_force = stiffness * depth;
-        for (int i = 0; i < 60; ++i) {  // tilts up to the angle whose tangent is 0.6
+        for (int i = 0; i < 60; ++i) {  // the pull tilts up to the friction's angle (tangent 0.6)
             const double x = depth * 0.01 * i;
             expect_near(probe.at({x, -depth, 0}).force, {-stiffness * x, normal_force, 0},
                         gap_force + rounding);
@@ -250,7 +250,7 @@ TEST(Surface, WhatIsTouchedHasItsShareOfTheForce) {
     EXPECT_EQ(wall.force.y, 0);
 }
 
-// ---- moving bodies ----------------------------------------------------------------------------------------
+// ---- surfaces of moving bodies ----------------------------------------------------------------------------
 
 TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
     for (const bool mesh : {false, true}) {

@@ -11,7 +11,7 @@
 namespace thaum::haptics {
 namespace {
 
-// Stiffness (N/m), amplitude (m) and period (m).
+// Stiffness of the wall (N/m), amplitude and period of its texture (m).
 constexpr double wall_stiffness = 500, crest = 2e-4, period = 0.004;
 // Tolerance (N), of which 1e-7 N is the gap between proxy and surface.
 constexpr double force_rounding = 1e-6;
@@ -44,7 +44,7 @@ TEST(Texture, AnImpactGratingPushesAlongTheWallByThePapersDepth) {
     for (int i = 0; i < 200; ++i) {
         const double x = 1e-4 * i - 0.01, z = 2e-3 * std::sin(i);  // z is the height above the wall
         const vec3 force = feel(patch, {x, z, 0.3});
-        const double depth = z > 0 ? 0 : grating(x) - z;  // p_1(t) of paper 004
+        const double depth = z > 0 ? 0 : grating(x) - z;  // depth below the texture: p_1(t) of paper 004
         EXPECT_NEAR(force.y, wall_stiffness * depth, force_rounding) << i;
         EXPECT_EQ(force.x, 0);
         EXPECT_EQ(force.z, 0);

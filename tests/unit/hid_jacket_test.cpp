@@ -67,7 +67,7 @@ TEST(HidReport, AnyAmplitudesGiveALegalReport) {
 struct FakeDevice {
     bool plugged{true}, accepts{true}, allowed{true};
     double report_s{};  ///< time that a report takes (s)
-    double now_s{10};   ///< clock of the jacket (s)
+    double now_s{10};   ///< time of the jacket's clock (s)
     int opened{}, closed{};
     std::vector<std::string> reports{};
 

@@ -20,7 +20,8 @@ protected:
         ADD_FAILURE() << "no anchor";
         return {};
     }
-    /// Marks around the anchor for a rope, drawn as cages, that a player's view shows.
+    /// The marks (drawn as cages) in a player's view around the anchor to which the player's rope would
+    /// attach.
     std::vector<render::Instance> marks(std::uint32_t viewer) const {
         std::vector<render::Instance> instances;
         add_instances(arena_scene, picture, viewer, instances);

@@ -19,7 +19,7 @@ inline HudSettings busy_settings(render::Split split, Watch watch, double scale)
     return settings;
 }
 
-/// Calls f(settings, name) for a full view and for both ways to split the window, at all text sizes.
+/// Calls f(settings, name) for a view that fills the window and for both ways to split it, at all text sizes.
 template <class F>
 void each_view(F f) {
     for (double scale = 1; scale <= 2.5; scale += 0.5) {
@@ -29,7 +29,7 @@ void each_view(F f) {
     }
 }
 
-/// Font size (em) of the smallest text that contains `part` (px), and the number of such texts.
+/// Smallest font size (em, in px) of the texts that contain `part`, and the number of these texts.
 struct Found {
     float least{1e6F};
     std::size_t number{};

@@ -23,7 +23,7 @@ protected:
         stand(picture, match_data()->wizard, 0, {0, 0, 12}, {0, 1.5, 0});
     }
 
-    /// Ingredients with the colour of iron in a player's view.
+    /// Ingredients with the colour of iron that a player's view shows.
     std::vector<render::Instance> carried(std::uint32_t viewer) const {
         std::vector<render::Instance> instances;
         add_instances(arena_scene, picture, viewer, instances);

@@ -308,8 +308,7 @@ TEST(ForceBand, OfAChordHasTheForceOfTheChord) {
     EXPECT_FALSE(has_text(overlay_of(picture), "gentle"));
 }
 
-/// Number of lines of an overlay, between two heights of the first view, that the HUD has only because of the
-/// stroke.
+/// Draws what the HUD shows of a stroke in the first view into `out`. Returns the number of its lines.
 std::size_t lines_of_stroke(const CastingPicture& casting, const ViewLayout& layout, render::Overlay& out) {
     out.items.clear();
     static const auto shown = new_casting_picture().shown;
@@ -326,7 +325,7 @@ TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
     draw_arc(casting.stroke, 0.3F);
     ASSERT_GT(lines_of_stroke(casting, layout, gentle), 30U);
     draw_arc(casting.stroke, 2);
-    for (auto& p : casting.stroke.points) p.x *= 30;  // a hand that moves far
+    for (auto& p : casting.stroke.points) p.x *= 30;  // as if the hand moved far
     ASSERT_EQ(lines_of_stroke(casting, layout, harsh), gentle.items.size());
     const auto& thin = std::get<render::LineItem>(gentle.items[0]);
     const auto& thick = std::get<render::LineItem>(harsh.items[0]);
@@ -366,7 +365,7 @@ TEST(StrokeTrail, IsDrawnAsItWasHoweverLongAHandRests) {
 
 TEST(StrokePicture, HasPiecesOfEqualLengthOfALongStroke) {
     std::vector<float> longest;
-    // Number of points at rest among 3,000 points that move evenly along a line.
+    // Number of points that a rest halfway adds to 3,000 evenly spaced points along a line.
     for (const std::size_t rest : {0U, 5000U}) {
         const auto at = [&](std::size_t i) {
             return fvec2(static_cast<float>(i < 1500 ? i : i < 1500 + rest ? 1500 : i - rest), 0);

@@ -64,12 +64,12 @@ fvec3 linear_at(const render::Image& image, fvec2 place) {
     return {channel(0), channel(1), channel(2)};
 }
 
-/// One scene with and without the HUD.
+/// One scene, drawn with and without the HUD.
 struct Drawn {
     render::Image with, without;
 };
 
-/// A line of places across a mark.
+/// Places on a line that crosses a mark from one side to the other (px).
 using Across = std::vector<fvec2>;
 
 /// Places from `inner` to `outer` (px) in the direction `angle`, clockwise from straight up (rad).

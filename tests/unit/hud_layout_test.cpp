@@ -30,7 +30,7 @@ constexpr std::array<Arranged, 6> arrangements{
 constexpr std::array<render::Size, 8> windows{
     {{640, 480}, {640, 360}, {800, 600}, {1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1080}, {3840, 2160}}};
 
-/// The bar of a replay with the longest possible texts.
+/// The bar at the bottom of a replay, with the longest possible texts.
 ReplayBar busy_bar() {
     return {
         .length = 600'000,
@@ -438,7 +438,7 @@ Picture in_lesson() {
     return picture;
 }
 
-/// Size of the first text that contains `part`; 0 if there is none.
+/// Font size of the first text that contains `part` (px); 0 if there is none.
 float size_of_text(const render::Overlay& overlay, std::string_view part) {
     const auto found = texts_with(overlay, part);
     return found.empty() ? 0 : found[0]->size;

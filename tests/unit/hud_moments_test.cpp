@@ -115,7 +115,7 @@ TEST(WandStrip, ShowsWhatTakesTheNextWandWhereWandsHaveNoKeys) {
     EXPECT_NE(text_item(overlay_of(picture, settings), "2"), nullptr);
 }
 
-// ---- cause of a death ------------------------------------------------------------------------------------
+// ---- cause of a wizard's death ---------------------------------------------------------------------------
 
 Event death_by_thing(std::uint32_t killer) {
     return {.kind = EventKind::death,

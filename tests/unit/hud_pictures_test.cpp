@@ -350,7 +350,7 @@ TEST_F(StoredPictures, TheLargestTextInBothSplits) {
     expect_stored("text_stacked", scene, {Quality::medium});
 }
 
-/// Both wizards near the bowl, with one of everything that can be drawn in both views.
+/// Scenes with both wizards near the bowl, and with one of everything that can be drawn in both views.
 class SplitPictures : public StoredBrews {
 protected:
     void SetUp() override {

@@ -182,7 +182,8 @@ TEST(Prompts, AWizardThrownFromOrbOrCrystalIsTold) {
     }
 }
 
-/// Two pictures 10 ticks apart. `change` modifies the second one.
+/// Uses of controls that are counted between two pictures 10 ticks apart. `change` modifies the second
+/// picture.
 template <class F>
 PromptUses uses_of(Picture before, F change) {
     before.tick = 100;

@@ -58,8 +58,8 @@ RecipePicture recipe_at(RecipeStep step) {
     return recipe;
 }
 
-/// A player at the cauldron with everything shown at once: a brew with a clock, an active potion, the result
-/// of a stroke.
+/// A player at the cauldron with everything shown at once: a brew that spoils in some seconds, an active
+/// potion, the result of a stroke.
 Picture busy_at(RecipeStep step) {
     auto picture = picture_of(*new_match());
     picture.cauldron.contents[0] = step == RecipeStep::choose ? "" : "ember";
@@ -233,7 +233,7 @@ TEST(GestureWall, CoversNoWordsAndNamesTheSpells) {
             const auto words = words_of(overlay_of(picture, settings, window), *font);
             const auto where = text(window.width, " at ", scale);
             expect_apart(words, where);
-            // All texts of the wall are in its box, below its first title, and no other text is there.
+            // All texts of the gesture wall are in its box, below its first title; no other text is there.
             const auto said = [&](std::string_view part) {
                 return std::find_if(words.begin(), words.end(),
                                     [&](const auto& w) { return w.words.find(part) != std::string::npos; });

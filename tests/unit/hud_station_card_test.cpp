@@ -255,7 +255,7 @@ TEST(StationCard, HalvesOfTheGreatWorkAreInTheBoxOfTheHealth) {
     EXPECT_EQ(gold(), 4U);
 }
 
-// ---- cards from a match ----------------------------------------------------------------------------------
+// ---- what the cards show of a match ----------------------------------------------------------------------
 
 TEST(StationPicture, TellsWhatAWizardDoesAtTheOrb) {
     auto match = new_match();

@@ -15,7 +15,7 @@ using render::Image;
 
 constexpr render::Size window{640, 480};
 
-/// Draws the orb and the crystals of the court.
+/// A scene of the court (an arena) with its orb and its crystals.
 class Stations : public ArenaDrawingTest {
 protected:
     Stations() : ArenaDrawingTest(window) {}
@@ -24,8 +24,8 @@ protected:
         renderer->draw(make_frame(arena_scene, picture, settings, window_, memory));
         return renderer->read_pixels();
     }
-    /// A picture without motion. Scans are drawn sharply only in the second picture of an unchanged scene, so
-    /// two are drawn.
+    /// A picture without motion, drawn twice. Scans, such as the voxels of a crystal, are drawn sharply only
+    /// in the second picture of an unchanged scene.
     Image settled(const Picture& picture, const HudSettings& settings) {
         drawn(picture, settings);
         return drawn(picture, settings);

@@ -42,7 +42,7 @@ protected:
         return count;
     }
 
-    /// Number of brightness levels, of 8, that occur on more than 1 % of the pixels.
+    /// Number of those of 8 levels of brightness that occur on more than 1 % of the pixels.
     static int shades(const render::Image& image, const render::Rect& in) {
         std::array<int, 8> levels{};
         for (int y = in.y; y < in.y + in.height; ++y) {
@@ -77,7 +77,8 @@ TEST_F(Drawn, AChangeOfOneViewChangesOnlyItsHalf) {
         picture = picture_of(*new_match());
         const auto before = draw(split(s));
         picture.wizards[0].vitals.yaw += 1;
-        // The other wizard faces away, so its figure, which has turned, is not in view.
+        // The second player looks away, so that view does not show the first wizard's figure, which has
+        // turned.
         const auto after = draw(split(s));
         const auto views = views_of(split(s), size);
         EXPECT_GT(differing(before, after, views[0]), views[0].width * views[0].height / 3);
@@ -222,7 +223,8 @@ TEST_F(Drawn, TheOwnWandStaysInThePictureWhereverTheHandGoes) {
             const vec3 reach = 0.6 * vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
             expect_in_view(own_wand_point(arena_scene, picture, reach, 1), aspect, reach);
         }
-        // The hand's displacement when the mouse draws the wand fully; the whole wand must be in view.
+        // Displacement of the hand when the mouse pulls it back fully to draw a shot; the whole wand must be
+        // in view.
         const vec3 draw(0, -0.51, 0.3);
         for (const float along : {0.5F, 1.0F})
             expect_in_view(own_wand_point(arena_scene, picture, draw, along), aspect, draw);
@@ -278,7 +280,8 @@ TEST_F(Drawn, HidingBlocksLieInsideStone) {
     for (int i = 0; i < 20000; ++i) {
         const vec3 eye(random.uniform(-half, half), random.uniform(-4, top), random.uniform(-half, half));
         const vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        if (first_entry(arena_scene.shade.blocks, eye, way) == 0) continue;  // the eye is inside a block
+        // Skipped: the eye is inside a block.
+        if (first_entry(arena_scene.shade.blocks, eye, way) == 0) continue;
         const double there = first_entry(blocks_seen_from(arena_scene, eye), eye, way);
         if (there == std::numeric_limits<double>::infinity()) continue;
         ++hidden;
@@ -301,7 +304,7 @@ TEST_F(Drawn, InTheWellNothingIsSeenThroughStone) {
     for (int i = 0; i < 20000; ++i) {
         const vec3 eye(random.uniform(-12, 12), random.uniform(0, 10), random.uniform(-12, 12));
         const vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        if (first_entry(well.shade.blocks, eye, way) == 0) continue;  // the eye is in stone
+        if (first_entry(well.shade.blocks, eye, way) == 0) continue;  // skipped: the eye is in stone
         const double there = first_entry(blocks_seen_from(well, eye), eye, way);
         if (there == std::numeric_limits<double>::infinity()) continue;
         ++hidden;
@@ -518,7 +521,7 @@ TEST(DeviceCaption, LongOnesAreSmallerAndBrokenSoThatTheViewHoldsThem) {
 }
 
 TEST(PowerUpMesh, TheKindsDifferInOutlineAndAreSmall) {
-    // Cells of a 16 x 16 grid that each kind covers, seen from the front.
+    // Cells of a 16 x 16 grid that each kind of power-up covers, seen from the front.
     std::vector<std::array<bool, 256>> outlines;
     for (const auto kind : {PowerUpKind::vial, PowerUpKind::heart, PowerUpKind::spark}) {
         const auto mesh = power_up_mesh(kind);

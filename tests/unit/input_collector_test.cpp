@@ -137,7 +137,7 @@ TEST(InputCollector, SticksHaveARoundDeadZone) {
     EXPECT_EQ(hands.take().counts[hand::strafe], 0);
     hands.pad(pad_with(PadAxis::left_x, -1));
     EXPECT_EQ(hands.take().counts[hand::strafe], -127);
-    hands.pad(pad_with(PadAxis::right_y, 0.578));  // half of the radius outside the dead zone
+    hands.pad(pad_with(PadAxis::right_y, 0.578));  // halfway from the edge of the dead zone to the end
     EXPECT_EQ(hands.take().counts[hand::turn_up], 64);
 
     PadState corner;
@@ -204,7 +204,7 @@ TEST(InputCollector, LosingFocusLetsGoOfEverything) {
     hands.take();
     hands.focus_lost();
     EXPECT_EQ(hands.take(), DeviceSample{});
-    hands.key('w', false);  // this event arrives late, or never
+    hands.key('w', false);  // the system reports the release late, or never
     EXPECT_EQ(hands.take(), DeviceSample{});
     hands.key('w', true);
     EXPECT_EQ(hands.take().counts[hand::forward], 127);
@@ -293,7 +293,7 @@ TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
         auto sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         hands.mouse_button(left_button, false);
-        hands.key(*length_code_of("a"), true);  // other actions are unaffected by a toggle
+        hands.key(*length_code_of("a"), true);  // a toggle does not affect other actions
         sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         EXPECT_EQ(sample.counts[hand::trigger], on ? 255 : 0);

@@ -45,7 +45,7 @@ std::size_t behind(const Bytes& body, std::string_view name) {
     return static_cast<std::size_t>(found - body.begin()) + name.size();
 }
 
-// Format 1 -----------------------------------------------------------------------------------------
+// Format 1 of a log --------------------------------------------------------------------------------
 
 TEST(InputLogFormat1, EveryValueIsRead) {
     const Folder folder;
@@ -105,7 +105,7 @@ TEST(InputLogFormat1, ABodyThatIsCutOrTooLargeIsRefused) {
     EXPECT_TRUE(contains(refusal(log, Bytes((1U << 20U) + 1)), "damaged"));
 }
 
-// Format 2 -----------------------------------------------------------------------------------------
+// Format 2 of a log --------------------------------------------------------------------------------
 
 /// A section of a header: tag, flags, size and content.
 Bytes section(std::uint16_t tag, std::uint16_t flags, std::uint32_t size, std::size_t content) {
@@ -334,7 +334,7 @@ TEST(InputLogFormat2, NamesForNobodyAndOverlongNamesAreRefused) {
     }
 }
 
-// Columns ------------------------------------------------------------------------------------------
+// Columns of a log's blocks ------------------------------------------------------------------------
 
 /// An unpacked block with one tick of one device, in which one column has a value and all others are zero.
 Bytes raw_tick(std::size_t columns, std::size_t column, std::uint32_t value) {

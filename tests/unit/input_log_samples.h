@@ -130,7 +130,8 @@ inline InputFrame frame_1(Tick tick) {
 
 inline HashRecord hash_of(Tick tick) { return {tick, hash_value(tick, 1), hash_value(tick, 2)}; }
 
-/// Appends in the way of the game: a frame, then, at every multiple of 128, the hashes of the state after it.
+/// Appends to a log in the way of the game: a frame, then, at every multiple of 128, the hashes of the state
+/// after it.
 template <class Frame>
 void record(LogWriter& writer, Tick count, Frame frame_at) {
     for (Tick t = writer.ticks(); count > 0; --count) {

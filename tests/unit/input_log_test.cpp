@@ -28,7 +28,7 @@ using samples::blocks_of;
 using samples::contains;
 using samples::Folder;
 
-/// Reads everything that can be read and compares it with the recorded values.
+/// Reads all frames of a log that can be read and compares them with the recorded ones.
 template <class Frame>
 void expect_frames(LogReader& reader, Frame frame_at) {
     InputFrame frame;
@@ -271,9 +271,9 @@ TEST(InputLog, ATailOfZerosReadsAsCutOff) {
     EXPECT_EQ(LogReader::open(file.path)->ending(), LogEnding::damaged);
 }
 
-/// Changes each byte of a log in turn by flipping its bits. Each change must be reported at the block that
-/// contains it. Opening a log takes long with the address sanitizer, which therefore sees one change of each
-/// byte, in turn.
+/// Damages a log byte by byte, in three ways each. Every damage must be reported at the block that contains
+/// it. Opening a log is slow with the address sanitizer, so there each byte is damaged in only one of the
+/// three ways.
 void expect_flips_found(const samples::StoredLog& stored, const samples::Scratch& file) {
     constexpr std::array flips{0x01, 0x80, 0xff};
     const auto& log = stored.bytes;
@@ -478,8 +478,8 @@ TEST(InputLog, TooSlowADiskStopsRecordingAndKeepsAWholeLog) {
     EXPECT_GT(writer.extra_blocks(), 0U);
     const auto closed = writer.close("");
     auto reader = LogReader::open(folder / "log").value();
-    // The ticks come from memory, faster than zstd packs them, so closing fails, unless this thread did not
-    // run for a while.
+    // The frames come from memory, faster than zstd packs them, so the writer gives up and closing fails.
+    // Only if this thread does not run for a while can the writer keep up.
     if (!closed) {
         EXPECT_TRUE(contains(closed.error().message, text("kept up to tick ", reader.ticks())));
         EXPECT_EQ(reader.ending(), LogEnding::cut_off);
@@ -487,7 +487,7 @@ TEST(InputLog, TooSlowADiskStopsRecordingAndKeepsAWholeLog) {
     expect_frames(reader, [&](Tick t) { return frames[t % 512]; });
 }
 
-// Size ----------------------------------------------------------------------------------------------
+// Size of a log -------------------------------------------------------------------------------------
 
 /// Input of two players who never rest: a mouse at 1 kHz with changing speed, keys and buttons; a gamepad at
 /// 250 Hz whose sticks wander and tremble.

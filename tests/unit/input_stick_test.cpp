@@ -95,7 +95,7 @@ TEST(InputStick, BrokenNumbersAreReplaced) {
     EXPECT_EQ(none.curve, StickResponse{}.curve);
 }
 
-// ---- response in the counts of a sample -------------------------------------------------------------------
+// ---- response curve in the counts of a sample -------------------------------------------------------------
 
 Bindings pad_bindings() {
     return default_bindings(DeviceKind::pad, [](std::string_view) { return 1; });

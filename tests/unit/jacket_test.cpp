@@ -199,7 +199,7 @@ TEST(Jacket, TheSettingsFileRefusesNonsenseAndOneJacketForTwoPlayers) {
     EXPECT_EQ(apart.settings.players[1].jacket, "osc:vest:2");
 }
 
-/// Fake jackets, by their port.
+/// Fake jackets, by the port at which each receives.
 class Jackets {
 public:
     LiveTactile::MakeJacket maker() {
@@ -283,7 +283,7 @@ TEST(LiveJacketThreads, OneThatCannotBeOpenedCostsOneLineAndNoFrames) {
     EXPECT_EQ(tactile.jacket_layout(0), "");
 }
 
-/// Passes frames until the receiver has got a certain message.
+/// Passes tactile frames until the receiver has got a certain message.
 bool reaches(LiveTactile& tactile, std::uint32_t player, UdpReceiver& receiver,
              const tactile::TactileFrame& frame) {
     const auto wanted = osc_message(frame, frame.count);

@@ -15,8 +15,8 @@ inline StrokeReading drawn(std::uint32_t gesture, double force, double turns = 0
     return {.gesture = gesture, .probability = 1, .force = force, .turns = turns};
 }
 
-/// A match whose first wizard stands at the rim and stirs. Its fluid has few cells. The test sets how evenly
-/// the newest ingredient is mixed in (0 to 1).
+/// A match whose first wizard stands at the cauldron's rim and stirs. To be fast, its fluid has few cells.
+/// The test sets how evenly the newest ingredient is mixed in (0 to 1).
 class Kitchen {
 public:
     explicit Kitchen(std::vector<std::string> overrides = {}, std::uint64_t seed = 1,

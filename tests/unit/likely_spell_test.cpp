@@ -141,7 +141,8 @@ TEST(LikelySpell, StandsOnAPlateInItsPanelWithTheStrokeOnAPageBesideIt) {
     for (const auto& spell : picture.shown->spells) {
         draw_part(casting, spell.gesture, 0.7);
         auto layout = *lay_out({.watch = Watch::first}, {1280, 720}, 5).views[0];
-        layout.strokes.low.x = layout.centre.x - layout.ring;  // the layout as beside the gesture wall
+        // The layout that a view has beside the gesture wall.
+        layout.strokes.low.x = layout.centre.x - layout.ring;
         render::Overlay out;
         add_stroke(out, casting, *picture.shown, 0, layout);
         const auto within = [](const Panel& box, fvec2 p) {

@@ -129,10 +129,10 @@ TEST(LiveArms, AreWatchedEachForItself) {
     EXPECT_EQ(right.status().state, input::ArmPresence::present);
 }
 
-// ---- players of arms --------------------------------------------------------------------------------------
+// ---- which player gets which arm --------------------------------------------------------------------------
 
-/// Players of `count` arms, if the start screen gives out the devices, or if the command line has given arm i
-/// to player i.
+/// Returns to which player each of `count` arms goes. With `start_screen`, that screen gives out all devices.
+/// Otherwise the command line has given arm i to player i.
 std::vector<std::uint32_t> players_of(const TakenSeats& seats, std::uint32_t count, bool start_screen) {
     LiveArms arms;
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -127,7 +127,7 @@ TEST_F(LiveMenuTest, TheWindowsTitleNamesPageAndRow) {
     EXPECT_EQ(title(), "Thaum");
 }
 
-// ---- held directions --------------------------------------------------------------------------------------
+// ---- directions that are held down ------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, AHeldKeyRepeatsAtTheStatedTimes) {
     menu_.open("start");
@@ -206,7 +206,7 @@ TEST_F(LiveMenuTest, AClosedMenuForgetsAHeldDirection) {
     EXPECT_EQ(cursor(), 0U);
 }
 
-// ---- mouse ------------------------------------------------------------------------------------------------
+// ---- the mouse in a menu ----------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, TheMouseChoosesTheRowUnderIt) {
     open_pause();
@@ -302,7 +302,7 @@ TEST_F(LiveMenuTest, WAndSMoveTheChoiceAndAAndDTurnAValue) {
     EXPECT_FALSE(menu_.state().seats[0]) << "keys that move do not join";
 }
 
-// ---- devices ----------------------------------------------------------------------------------------------
+// ---- devices in a menu ------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, EachDeviceJoinsWithItsOwnPress) {
     menu_.open("start");
@@ -420,7 +420,7 @@ TEST_F(LiveMenuFileTest, AFaultyFileIsKeptAndTheChangeHoldsForThisRun) {
     EXPECT_EQ(menu_.picture().note.find("for this run only: "), 0U) << menu_.picture().note;
 }
 
-// ---- requests ---------------------------------------------------------------------------------------------
+// ---- requests that a menu makes to the session ------------------------------------------------------------
 
 TEST_F(LiveMenuTest, TheLeaveKeyLeavesFromThePauseItself) {
     menu_.open("pause");
@@ -431,8 +431,8 @@ TEST_F(LiveMenuTest, TheLeaveKeyLeavesFromThePauseItself) {
     EXPECT_EQ(menu_.take_request(), MenuRequest::none) << "on a page below the pause";
 }
 
-/// A request stays until the session carries it out. Presses at the same moment are kept for the menu that
-/// follows.
+/// A request of the menu stays until the session carries it out. Presses at the same moment are kept for the
+/// menu that follows.
 TEST_F(LiveMenuTest, ARequestIsNotLostByLaterEvents) {
     menu_.open("start");
     press_all({"x", "x", "escape", "down"});

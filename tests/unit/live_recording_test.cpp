@@ -76,7 +76,7 @@ TEST_F(RecordingTest, AFolderThatCannotBeMadeIsAnError) {
     EXPECT_NE(record({.folder = folder_ / "file" / "matches"}, 1), "");
 }
 
-// ---- the next match ---------------------------------------------------------------------------------------
+// ---- data for the next match ------------------------------------------------------------------------------
 
 class NextMatchTest : public testing::Test {
 protected:

@@ -25,7 +25,7 @@ struct TestPath {
 
 inline int key(std::string_view name) { return *key_code_of(name); }
 
-/// Code of the first control of an action: a key, a button or an axis.
+/// Key, button or axis number of the first control that the settings bind to an action.
 inline int code_of(const Settings& settings, input::DeviceKind kind, input::Action action) {
     return settings.bindings_of(kind).of(action).at(0).code;
 }

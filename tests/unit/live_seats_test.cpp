@@ -47,7 +47,7 @@ TEST(JoinedSeats, ABotTakesAnEmptySeatAndADummyTheSecondOneOfPractice) {
     EXPECT_EQ(seats[game::dummys].kind, SeatKind::dummy);
 }
 
-/// Values after all changes of a player's faders, and the number of changes.
+/// Values of a player's faders after all changes that these report one by one, and the number of changes.
 std::pair<FaderInput::Values, int> moved(FaderInput& faders, FaderInput::Values values) {
     int moves = 0;
     for (auto change = faders.take(); change.fader != 0; change = faders.take(), ++moves) {
@@ -69,7 +69,7 @@ TEST(TakenSeats, ChangedFadersBecomeMovesOfTheirPlayer) {
     want_faders(settings, seats);
     EXPECT_EQ(moved(faders, at_start).second, 0) << "nothing was changed";
 
-    settings.players[0].recoil = 0;  // a setting of the other player
+    settings.players[0].recoil = 0;  // the other player's, which must not matter
     settings.players[1].recoil = 0.25;
     settings.players[1].force = own_force;
     settings.players[1].own_force_percent = 60;

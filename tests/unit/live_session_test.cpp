@@ -30,7 +30,7 @@ Expected<game::Playback> short_replay() {
     return game::Playback::open(file.path, THAUM_SOURCE_DIR "/assets");
 }
 
-// ---- pads -------------------------------------------------------------------------------------------------
+// ---- pads that are lost and come back ---------------------------------------------------------------------
 
 TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
     begin({rig::pad_with()});
@@ -195,7 +195,7 @@ TEST_F(LiveSessionTest, ButtonBLeavesOnceTheResultWasSeen) {
     EXPECT_FALSE(shared_.stop) << "the start screen follows";
 }
 
-// ---- focus ------------------------------------------------------------------------------------------------
+// ---- loss of the window's focus ---------------------------------------------------------------------------
 
 TEST_F(LiveSessionTest, ALostFocusReleasesAllKeysAndThenPauses) {
     begin();
@@ -251,7 +251,7 @@ TEST_F(LiveSessionTest, BotsAndAProbePlayOnWithoutTheFocus) {
     EXPECT_EQ(requests().pause, game::no_player);
 }
 
-// ---- keys -------------------------------------------------------------------------------------------------
+// ---- keys in play and in the pause ------------------------------------------------------------------------
 
 TEST_F(LiveSessionTest, InputGoesToTheHandsInPlayAndToTheMenuInThePause) {
     begin();
@@ -515,7 +515,7 @@ TEST_F(LiveSessionTest, EndingTheMatchInThePauseEndsItAndNotTheProgram) {
     EXPECT_FALSE(shared_.stop);
 }
 
-// ---- arms -------------------------------------------------------------------------------------------------
+// ---- faults of arms ---------------------------------------------------------------------------------------
 
 TEST_F(LiveSessionTest, AFaultOfAnArmIsShownToItsPlayer) {
     begin();
@@ -529,7 +529,7 @@ TEST_F(LiveSessionTest, AFaultOfAnArmIsShownToItsPlayer) {
     shared_.arms.clear();
 }
 
-// ---- the screen -------------------------------------------------------------------------------------------
+// ---- what is published for the screen ---------------------------------------------------------------------
 
 TEST_F(LiveSessionTest, TheScreenIsPublishedOnlyWhenItChanges) {
     begin();

@@ -24,7 +24,7 @@ struct Heard {
     bool there = true;  ///< true: the device can be opened and stays connected
 };
 
-/// Accepts one block at each call.
+/// A fake sound device that accepts one block at each call.
 class HeardDevice final : public audio::SoundDevice {
 public:
     explicit HeardDevice(std::shared_ptr<Heard> heard) : heard_(std::move(heard)) {}

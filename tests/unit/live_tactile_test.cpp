@@ -26,7 +26,7 @@ input::PadState pad_of(std::string path) {
     return pad;
 }
 
-/// Fake motors of each pad, by its device file.
+/// Fake motors of all pads, by the pad's device file.
 class Motors {
 public:
     std::unique_ptr<input::TactileOutput> make(const input::PadState& pad) {
@@ -149,7 +149,7 @@ TEST(LiveTactileThreads, APadWithoutMotorsCostsOneLineAndNoFrames) {
     EXPECT_FALSE(tactile.feels(1));
 }
 
-// In a session ----------------------------------------------------------------------------------------------
+// Motors of pads in a session -------------------------------------------------------------------------------
 
 using LiveTactileSession = LiveSessionTest;
 

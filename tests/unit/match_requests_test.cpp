@@ -7,7 +7,7 @@
 namespace thaum::game {
 namespace {
 
-/// A request that only this test has. This struct is all that it needs.
+/// A request that only this test has: its wizard becomes a dummy. This struct is all that it needs.
 struct BecomeDummy {
     game::DummyKind kind{};
     void carry_out(Practice& practice) const { practice.set_dummy(kind); }

@@ -12,7 +12,7 @@
 namespace thaum::game::menu_tests {
 namespace {
 
-// ---- settings ---------------------------------------------------------------------------------------------
+// ---- pages of settings ------------------------------------------------------------------------------------
 
 /// Indices in all_settings() of the settings that a page shows.
 std::vector<std::size_t> settings_of(SettingPage page) {
@@ -71,7 +71,7 @@ TEST(SettingsPage, ResetsItsOwnValuesAndNoOthers) {
     EXPECT_EQ(s.note, "settings of this page reset to defaults");
 }
 
-// ---- a player's own settings ------------------------------------------------------------------------------
+// ---- pages of a player's own settings ---------------------------------------------------------------------
 
 TEST(PlayerPage, EveryRowChangesTheSettingOfThePlayerShown) {
     auto s = player_page();
@@ -127,7 +127,7 @@ TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
     EXPECT_EQ(picture_of(s, context()).seats[1].head, "Tide");
 }
 
-// ---- forces and body --------------------------------------------------------------------------------------
+// ---- pages of forces and of effects on the body -----------------------------------------------------------
 
 TEST(MixerPage, EveryRowChangesItsValueOfThePlayerShown) {
     auto s = mixer_page();
@@ -241,7 +241,7 @@ TEST(MixerPage, TheJacketIsShownAndNoPressOrResetChangesIt) {
     EXPECT_EQ(value_of(s, "Jacket"), "osc:a.very.long.name....");
 }
 
-// ---- the cauldron -----------------------------------------------------------------------------------------
+// ---- the page of the cauldron's forces --------------------------------------------------------------------
 
 constexpr std::string_view cauldron_row = "Cauldron feedback";
 
@@ -288,7 +288,7 @@ TEST(MixerPage, OpensForThePlayerWhoAsks) {
     EXPECT_EQ(opened_by(second_pad), "Ember") << "a device without a seat opens the first page";
 }
 
-// ---- random events ----------------------------------------------------------------------------------------
+// ---- random events on all pages ---------------------------------------------------------------------------
 
 /// After random events the state can still be drawn, no control is bound to two conflicting actions, and the
 /// settings can be written.
@@ -327,7 +327,7 @@ TEST(MenuUnderWildHands, StaysWhole) {
     }
 }
 
-// ---- drawing ----------------------------------------------------------------------------------------------
+// ---- how pages are drawn and clicked ----------------------------------------------------------------------
 
 /// A state for each page of the menu.
 std::vector<MenuState> all_pages() {

@@ -68,7 +68,7 @@ inline const std::vector<Control>& bound(const MenuState& s, DeviceKind kind, Ac
     return s.settings.bindings_of(kind).of(action);
 }
 
-// Pages that several tests open.
+// Pages of the menu that several tests open.
 inline MenuState settings_page() { return choose(opened({}, "pause"), "Settings"); }
 inline MenuState player_page() { return choose(settings_page(), "Each player's own settings"); }
 inline MenuState mixer_page() { return choose(settings_page(), "Forces and body"); }

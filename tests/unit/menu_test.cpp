@@ -10,7 +10,7 @@
 namespace thaum::game::menu_tests {
 namespace {
 
-// ---- joining ----------------------------------------------------------------------------------------------
+// ---- joining a match on the start screen ------------------------------------------------------------------
 
 TEST(StartScreen, TwoPressesOfAnyDeviceStart) {
     for (const auto& device : {keyboard, half, first_pad, second_pad}) {
@@ -222,7 +222,7 @@ TEST(StartScreen, ABrokenFileStaysInItsRowAndIsNotPlayed) {
               MenuRequest::start);
 }
 
-// ---- the pause --------------------------------------------------------------------------------------------
+// ---- the menu of the pause --------------------------------------------------------------------------------
 
 TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     auto s = opened({}, "pause");
@@ -313,7 +313,7 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
     EXPECT_EQ(s.request, MenuRequest::ask_match);
     ASSERT_TRUE(s.match_request.as<DrawGesture>());
     EXPECT_EQ(s.match_request.as<DrawGesture>()->number, 2U);
-    // While the player draws an own gesture, the row that started this gives it up in the next pause.
+    // While an own gesture is drawn, the menu row that started this offers to give it up.
     range.drawn_gesture = 3;
     s = opened(std::move(s), "pause");
     EXPECT_EQ(s.pages.back().cursor, own);
@@ -348,7 +348,7 @@ TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
     for (const auto& row : picture_of(s, context()).rows) EXPECT_NE(row.label, "Dummy");
 }
 
-// ---- bindings ---------------------------------------------------------------------------------------------
+// ---- pages of controls ------------------------------------------------------------------------------------
 
 TEST(BindingsPage, AnActionTakesTheNextControlAndNothingElseHappensMeanwhile) {
     auto s = choose(bindings_of("Mouse and keyboard"), "Jump");
@@ -401,7 +401,8 @@ TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
 }
 
 TEST(BindingsPage, ActionsThatNeverActTogetherMayShareAControl) {
-    // Choosing each default again takes no control from any action, so the defaults have no conflict.
+    // Choosing the default control again for every action takes no control from another action, so the
+    // defaults have no conflict.
     for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
         const auto actions = sheet == session_sheet ? session_keys : input::actions;
         for (std::size_t action = 0; action < actions; ++action) {

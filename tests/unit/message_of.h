@@ -1,4 +1,4 @@
-// unit/message_of.h: what a result says of its error.
+// unit/message_of.h: the message of a result's error.
 #pragma once
 #include <string>
 #include <string_view>

@@ -87,14 +87,14 @@ struct Hand {
     ArmTick tick() { return {step, this}; }
 };
 
-/// A file with the path of a hand.
+/// A file with the path along which the fake library moves a hand.
 struct Way {
     explicit Way(std::string_view lines) { std::ofstream(file) << lines; }
     const TemporaryFolder folder{};
     const std::string file = (folder.path() / "way").string();
 };
 
-// ---- opening ----------------------------------------------------------------------------------------------
+// ---- opening an arm ---------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, NoLibrary) {
     const auto arm = open_by("/nowhere/libHD.so");
@@ -159,7 +159,7 @@ TEST(OpenHaptics, ReportsSerialDriverAndSpecOfTheArm) {
     EXPECT_EQ(facts.spec.update_rate, 1000);
 }
 
-// ---- ticks ------------------------------------------------------------------------------------------------
+// ---- ticks of an arm --------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, TicksByTheRules) {
     Hand hand;
@@ -286,7 +286,8 @@ TEST(OpenHaptics, TicksThatStopAreALostArm) {
     Hand hand;
     auto arm = open_fake("stop=60").value();
     ASSERT_TRUE(arm->start(hand.tick()));
-    // Before its first tick, a library that gets no processor for 0.5 s counts as lost for another reason.
+    // Waits for these words, because a library that gets no processor for 0.5 s before its first tick counts
+    // as lost for another reason.
     ASSERT_TRUE(soon([&] { return has(arm->status().text, "ticks have stopped"); }));
     EXPECT_EQ(arm->status().state, ArmPresence::lost);
     EXPECT_EQ(caption_of(arm->status()), "The arm's ticks have stopped: plug it in again");

@@ -12,7 +12,7 @@ namespace {
 
 using input::Button;
 
-/// First fault in orb.toml after a change of its text; empty: none.
+/// First fault that the reader finds in orb.toml after the words `from` were replaced by `to`; empty: none.
 std::string fault_after(std::string_view from, std::string_view to) {
     auto words = read_text_file(assets() / "orb.toml", 1U << 20U).value();
     const auto at = words.find(from);

@@ -72,9 +72,10 @@ TEST(Mover, ARopeTakesAsMuchTractionAsWeight) {
         }
         return w.velocity().x;
     };
-    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // no lift by a rope: the acceleration on the ground
+    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // the rope bears nothing: the acceleration of walking
     EXPECT_NEAR(speed_after(weight / 2), 20 * 0.05, 0.02);
-    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // a rope bears all weight: the acceleration in the air
+    // The rope bears the whole weight: the acceleration in the air.
+    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);
     EXPECT_NEAR(speed_after(3 * weight), 4 * 0.05, 0.02);
 }
 
@@ -101,7 +102,8 @@ TEST(Mover, JumpsAsFarAsTheLawSays) {
     const double start = w.position().x;
     w.tick({4.5, 0, 0}, true);
     while (!w.last.grounded && w.physics.counters().steps < 5000) w.tick({4.5, 0, 0});
-    EXPECT_NEAR(w.position().x - start, 4.5 * 2 * w.settings.jump_speed / 9.81, 0.05);  // expected: 4.26 m
+    // Expected distance: 4.26 m.
+    EXPECT_NEAR(w.position().x - start, 4.5 * 2 * w.settings.jump_speed / 9.81, 0.05);
 }
 
 TEST(Mover, FallsFromFiveMetres) {
@@ -184,7 +186,7 @@ TEST(Mover, WalksUpAndDownASlopeAtItsPace) {
 
 TEST(Mover, WalksFromFloorToSlopeAndOverTheCrest) {
     FloorWalker w;
-    add_slope(w.physics, 30);                                  // rises from x = 0
+    add_slope(w.physics, 30);                                  // the slope rises from x = 0
     w.physics.add(8, box({4, 4, 5}, 0), at({4 + 4, 0.0, 0}));  // a plateau of 4 m height, from x = 4
     w.enter({-2, standing, 0});
     int in_air = 0;

@@ -71,8 +71,8 @@ vec3 corner_of(const TriangleMesh& mesh, std::uint32_t triangle, std::size_t cor
     return mesh.vertices[mesh.triangles[triangle][corner]];
 }
 
-/// Distance of a point from a triangle, computed with a fine grid of points. Here it is at most 4 cm too
-/// large (m).
+/// Distance of a point from a triangle of a mesh, computed with a fine grid of points (m). In this test it is
+/// at most 4 cm too large.
 double sampled_distance(const TriangleMesh& mesh, std::uint32_t triangle, vec3 place) {
     double nearest = 1e9;
     for (int u = 0; u <= 40; ++u) {

@@ -134,7 +134,7 @@ struct Looking {
         match->physics().set_state(thing.index, state);
     }
     Target target() const { return picture_of(*match).wizards[0].wand.target; }
-    /// The first loose thing.
+    /// The first loose thing of the arena (a box or stone that wands can move).
     ecs::Entity loose() const {
         ecs::Entity found;
         match->world().view<const Prop>().each([&](ecs::Entity e, const Prop&) {

@@ -62,7 +62,7 @@ void expect_well_formed(const Page& page) {
     for (const auto& figure : page.figures) EXPECT_EQ(test::xml_fault(figure.svg), "") << figure.name;
 }
 
-// ---- axes -------------------------------------------------------------------------------------------------
+// ---- axes of a figure -------------------------------------------------------------------------------------
 
 TEST(PlotAxis, MapsPowersOfTenInEqualSteps) {
     const auto axis = log_axis(std::array{1e-3, 1.0}, 100, 400);
@@ -119,7 +119,7 @@ TEST(PlotAxis, HoldsOneValueAndTheWidestSpan) {
     EXPECT_LE(ticks(wide).size(), 9U);
 }
 
-// ---- figures ----------------------------------------------------------------------------------------------
+// ---- figures of a report ----------------------------------------------------------------------------------
 
 TEST(PlotFigure, WordsAreSeriesNumbersAreLabelsAndEqualSettingsAreNeither) {
     const auto report = two_solvers();
@@ -195,7 +195,7 @@ TEST(PlotSvg, RatiosAreBarsFromOne) {
     EXPECT_NE(svg.find(text("width=\"", px(420 * std::log10(4)), "\" height=\"14.00\"")), std::string::npos);
 }
 
-// ---- pages ------------------------------------------------------------------------------------------------
+// ---- pages with all figures and tables --------------------------------------------------------------------
 
 TEST(PlotPage, EveryRowIsInATable) {
     auto report = two_solvers();

@@ -344,7 +344,7 @@ TEST_F(WallTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
     ASSERT_TRUE(wall.on && !wall.drawing);
     ASSERT_EQ(wall.gestures->size(), 4U);
     ASSERT_EQ((*wall.gestures)[0].name, "Circle");
-    // The stroke is half a circle.
+    // The stroke is half a circle, which the wall must not take for Shield, the spell of the circle.
     EXPECT_EQ(wall.lines[0].find("Shield"), std::string::npos);
     ASSERT_GT(wall.lines.size(), 1U) << "what to do better";
     EXPECT_EQ(wall.chosen, 0) << wall.lines[0];

@@ -55,7 +55,7 @@ MatchStats bolts(const RangeMatch& range, std::uint32_t player) {
     return range.match->world().single<EventLog>().match_stats[player][cause_of(hit_kind("bolt_hit"))];
 }
 
-// ---- dummies ----------------------------------------------------------------------------------------------
+// ---- dummies of the practice range ------------------------------------------------------------------------
 
 TEST(Range, BothBeginFaceToFaceWithNothingBetween) {
     auto range = range_with(DummyKind::still);
@@ -74,8 +74,8 @@ TEST(Range, AStillDummyStaysAndDoesNothing) {
     EXPECT_EQ(of<Health>(range, practising).points, 100);
 }
 
-/// Largest distances of a dummy from its first place to the west (negative), to the east and along z (m), and
-/// number of its turns.
+/// Largest distances of a dummy that walks to and fro from its first place, to the west (negative), to the
+/// east and along z (m), and the number of its turns.
 struct Strafed {
     double west = 0, east = 0, along = 0;
     int turns = 0;
@@ -179,7 +179,7 @@ TEST(Range, TheSameInputComesToTheSameState) {
     }
 }
 
-// ---- rounds that never end --------------------------------------------------------------------------------
+// ---- rounds never end on the practice range ---------------------------------------------------------------
 
 TEST(Range, NoRoundEndsByKillsOrTime) {
     auto range =
@@ -331,7 +331,7 @@ TEST(CarryOver, TheDeadStayDeadAndComeBack) {
     }
 }
 
-// ---- files that change ------------------------------------------------------------------------------------
+// ---- data files that change during practice ---------------------------------------------------------------
 
 /// A practice range with its own copy of the data files.
 class RangeFilesTest : public testing::Test {

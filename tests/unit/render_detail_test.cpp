@@ -85,7 +85,7 @@ MeshId drawn_at(float distance, const detail::Levels& levels, float scale = 1) {
 
 TEST(Levels, TheCoarsestWhoseErrorIsWithinAPixel) {
     const detail::Levels levels{{1, 0.05F}, {2, 0.2F}, {3, 0.8F}};
-    // A pixel is 1 cm wide at 1 m. The nearest point is 1 m nearer than the middle.
+    // A pixel is 1 cm wide at a distance of 1 m. The mesh's nearest point is 1 m nearer than its middle.
     EXPECT_EQ(drawn_at(5.9F, levels), 0U);
     EXPECT_EQ(drawn_at(6.1F, levels), 1U);
     EXPECT_EQ(drawn_at(20.9F, levels), 1U);

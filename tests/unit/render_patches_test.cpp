@@ -27,7 +27,7 @@ std::vector<std::uint32_t> chosen(const PatchTable& table, const Sight& sight) {
     return out;
 }
 
-/// A square across z that faces +z, or -z if turned.
+/// A square that crosses the z axis at z, with sides of 2 x `half`. It faces +z.
 MeshData sheet(float z, float half = 1) {
     return transformed(grid({half, half}, 1, 1, grey),
                        translated({0, 0, z}) * rotated({1, 0, 0}, 1.5707963F));
@@ -122,7 +122,7 @@ TEST(Patches, NoFrontIsEverTakenForABack) {
     const auto any = [&](double low, double high) { return static_cast<float>(random.uniform(low, high)); };
     int left_out = 0;
     for (int round = 0; round < 400; ++round) {
-        // A dented square; its normals differ.
+        // A square with dents, in which normals differ.
         MeshData mesh = grid({1, 1}, 3, 3, grey);
         for (auto& v : mesh.vertices) v.position.y += any(-0.3, 0.3);
         // A random eye with the whole square in view.

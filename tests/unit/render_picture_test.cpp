@@ -337,8 +337,8 @@ TEST_F(Picture, MistsHideMostWhereTheyFaceTheEyeAndNothingAtTheirOutline) {
         EXPECT_EQ(middle(drawn(frame)).r, before);
         const int hidden = middle(whole_mist).r;
         ASSERT_GT(std::abs(hidden - before), 20);
-        // With half the glow, the change is about half: in linear light at high quality, otherwise in display
-        // values.
+        // With half the glow, the brightness changes about half as much: in linear light at high quality,
+        // otherwise in display values.
         EXPECT_GT(std::abs(half - before), 0.3 * std::abs(hidden - before));
         EXPECT_LT(std::abs(half - before), 0.8 * std::abs(hidden - before));
         // A solid object in front of the mist hides the mist.

@@ -161,7 +161,7 @@ TEST_F(ScanPicture, OfOtherSampleTypesIsTheSame) {
     scan.samples = std::span<const float>(floats);
     scan.low = -3, scan.high = 2;
     EXPECT_LE(max_difference(sixteen, drawn(scan)), 1);
-    // NaN counts as the lowest value.
+    // A NaN sample counts as the lowest value.
     ++scan.version;
     const auto mixed = floats;
     for (auto& f : floats) {
@@ -332,7 +332,7 @@ TEST_F(ScanPicture, HugeAndTinyPlacementsEndInAPicture) {
     EXPECT_GT(pixel_of(drawn(scan), picture_side / 2, picture_side / 2).r, 0.5F);
 }
 
-// ---- bricks -----------------------------------------------------------------------------------------------
+// ---- bricks (blocks of samples) ---------------------------------------------------------------------------
 
 TEST(ScanBricks, HaveTheRangeOfTheirCells) {
     std::vector<std::uint8_t> samples(12 * 9 * 8);

@@ -15,7 +15,7 @@ namespace thaum::render {
 namespace {
 
 constexpr int size = 120;
-constexpr float thickness = 1.5F;  // absorption (1/m)
+constexpr float thickness = 1.5F;  // absorption of the medium (1/m)
 constexpr float mirrored = 0.02F;  // share of light that water reflects at normal incidence
 constexpr Rect whole{0, 0, size, size};
 const fquat downwards = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0)),

@@ -33,7 +33,7 @@ protected:
 
     static inline std::optional<Offscreen> context;
     static inline std::optional<Renderer> renderer;
-    static inline MeshId cube{};  ///< white, 1 m wide
+    static inline MeshId cube{};  ///< mesh of a white cube, 1 m wide
 };
 
 }  // namespace thaum::render

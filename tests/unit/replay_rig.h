@@ -8,7 +8,8 @@
 
 namespace thaum::game::test {
 
-/// Ticks at which a player presses the pause button: the first press pauses, the second one continues.
+/// Ticks at which a player presses the pause button: the first press pauses the match, the second one
+/// continues it.
 constexpr Tick paused_at = 2040, resumed_at = 2300;
 
 /// The log of a duel in which bolts kill quickly. The file is removed after the test.

@@ -110,7 +110,7 @@ TEST(ReplayView, EveryLengthHasPlaces) {
         EXPECT_EQ(after({}, deed, 0, {}).at, 0U);
 }
 
-// ---- the viewer -------------------------------------------------------------------------------------------
+// ---- the viewer of a replay -------------------------------------------------------------------------------
 
 class ReplayViewerTest : public testing::Test {
 protected:

@@ -44,7 +44,7 @@ inline fvec3 pixel_of(const Image& image, int x, int y) {
     return fvec3(image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]) / 255.0F;
 }
 
-/// Greatest difference of a channel (0 to 255).
+/// Greatest difference between two pictures in any channel (0 to 255).
 inline int max_difference(const Image& a, const Image& b) {
     int most = a.rgb.size() == b.rgb.size() ? 0 : 256;
     for (std::size_t i = 0; i < a.rgb.size() && i < b.rgb.size(); ++i)

@@ -198,7 +198,7 @@ TEST(Sandbox, MemoryStaysUnderItsLimit) {
     ASSERT_TRUE(sandbox.start("local t = {} for i = 1, 1e6 do t[i] = {i} end", "test.lua"));
     EXPECT_FALSE(sandbox.resume());
     EXPECT_LE(sandbox.memory(), 4U << 20U);
-    // Freed memory does not count.
+    // Freed memory does not count towards the limit.
     EXPECT_TRUE(run("for i = 1, 20000 do local s = ('x'):rep(1000) .. i end", {.memory = 4U << 20U}).ok);
 }
 

@@ -48,7 +48,7 @@ const Sight* topmost(const Screen& seen, std::string_view what) {
 
 }  // namespace
 
-// Skills ----------------------------------------------------------------------------------------------------
+// Skills of a person with mouse and keyboard ----------------------------------------------------------------
 
 bool Player::aim(const Screen& seen, fvec2 place, float within, Hands& hands) const {
     const fvec2 off = place - seen.crosshair;
@@ -89,7 +89,7 @@ bool Player::take(const Screen& seen, const std::string& wand, Hands& hands) con
     return false;
 }
 
-// Looking and menus -----------------------------------------------------------------------------------------
+// A look at the screen, and menus ---------------------------------------------------------------------------
 
 Hands Player::act(const Screen& seen) {
     Hands hands;
@@ -148,7 +148,7 @@ std::string Player::key_towards(const Screen& seen, const Words& row) {
     return chosen != seen.words.end() && row.place.y < chosen->place.y ? keys[1].str() : keys[2].str();
 }
 
-// Lessons ---------------------------------------------------------------------------------------------------
+// What the player does in lessons ---------------------------------------------------------------------------
 
 /// Learns the controls that a text names in brackets.
 void Player::read(const std::string& words) {
@@ -318,7 +318,7 @@ void Player::brew(const Screen& seen, Hands& hands) {
     hands.mouse = reach * fvec2(std::cos(angle), std::sin(angle));
 }
 
-// The duel --------------------------------------------------------------------------------------------------
+// What the player does in a duel ----------------------------------------------------------------------------
 
 /// The wand for fighting: the first one that needs no charging, or the next one if its energy is low.
 std::string Player::best_wand(const Screen& seen) const {

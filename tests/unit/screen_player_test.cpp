@@ -73,7 +73,7 @@ protected:
     Tick all_ticks_ = 0, told_ticks_ = 0;
 };
 
-// Events ----------------------------------------------------------------------------------------------------
+// Events for the session, as a window sends them ------------------------------------------------------------
 
 void ScreenPlayer::press(const std::string& control, bool down) {
     constexpr std::array<std::string_view, 3> buttons{"Left mouse", "Right mouse", "Middle mouse"};
@@ -100,7 +100,7 @@ void ScreenPlayer::give(const screen::Hands& hands) {
     for (const bool down : {true, false}) session_->mouse_button(0, down, rig::window, now_);
 }
 
-// The match -------------------------------------------------------------------------------------------------
+// The match, as its thread plays it -------------------------------------------------------------------------
 
 /// Publishes the newest picture as the simulation thread does.
 void ScreenPlayer::publish(Play& play, int countdown) {

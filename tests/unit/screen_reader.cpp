@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t viewer = 0;
 constexpr double far_away = 60;  ///< largest distance at which a person recognises an object (m)
 
-// Words -----------------------------------------------------------------------------------------------------
+// Texts on the screen ---------------------------------------------------------------------------------------
 
 bool is_in(const game::Panel& box, fvec2 place) {
     return place.x >= box.low.x - 1 && place.x <= box.high.x + 1 && place.y >= box.low.y - 1 &&
@@ -84,7 +84,7 @@ void read_hud(const Shown& shown, Screen& out) {
     out.crosshair = layout.views[viewer]->centre;
 }
 
-// The view --------------------------------------------------------------------------------------------------
+// Objects in the view ---------------------------------------------------------------------------------------
 
 /// The viewer's eye and projection.
 struct Eye {
@@ -166,7 +166,7 @@ void see_things(const Eye& eye, const Shown& shown, Screen& out) {
     for (const auto& thing : picture.things)
         if (is_thing(thing.key.surface))
             see(eye, name_of(thing.key.surface), thing.position, height_of(thing.key), thing.entity, out);
-    const vec3 up(0, 0.3, 0);  // such objects float above their place on the ground
+    const vec3 up(0, 0.3, 0);  // objects to pick up float above their place on the ground
     for (const auto& niche : picture.niches)
         if (niche.there) see(eye, "ingredient", niche.position + up, 0.4, {}, out);
     for (const auto& one : picture.power_ups)
@@ -197,7 +197,7 @@ void glance_at(const Eye& eye, Screen& out) {
         }
 }
 
-// Marks -----------------------------------------------------------------------------------------------------
+// Marks around the crosshair --------------------------------------------------------------------------------
 
 void see_arc(const Eye& eye, const game::PlayerPicture& player, Screen& out) {
     if (player.wand.arc_points == 0) return;

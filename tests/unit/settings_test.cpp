@@ -245,7 +245,7 @@ TEST(Settings, ATypedNameGrowsAndShrinksByCharacters) {
     EXPECT_EQ(without_last(name), "");
 }
 
-// ---- writing ----------------------------------------------------------------------------------------------
+// ---- writing changed settings -----------------------------------------------------------------------------
 
 template <class Of>
 void change_all(std::span<const SettingOf<Of>> settings, Of& values) {

@@ -73,9 +73,9 @@ struct SoundRig {
     input::DeviceSample device{};
 };
 
-// ---- a match of bots --------------------------------------------------------------------------------------
+// ---- sounds of a match of bots ----------------------------------------------------------------------------
 
-/// Hash of everything in a frame, combined with `before`.
+/// Hash of everything in a frame of sound, combined with the hash `before`.
 std::uint64_t hash_of(const AudioFrame& frame, std::uint64_t before) {
     const auto add = [&](const auto& value) { before = hash_value(value, before); };
     for (const auto* list : {&frame.begins, &frame.lasts}) {
@@ -211,7 +211,7 @@ TEST(SoundScene, AMissingSoundIsNamedAndOnlyThatOneIsSilent) {
     EXPECT_EQ(match_sounds(poor, *data->presentation).missing.size(), 0U) << "the bank has told it";
 }
 
-// ---- scenes -----------------------------------------------------------------------------------------------
+// ---- sounds of scripted scenes ----------------------------------------------------------------------------
 
 TEST(SoundScene, StepsFollowTheWay) {
     SoundRig rig;
@@ -237,7 +237,7 @@ ecs::Entity barrel_of(const Simulation& match) {
     return barrel;
 }
 
-/// Drops the barrel from 2 m above a place. Returns the voices of its impacts.
+/// Drops the barrel from 2 m above a place. Returns the voices (sounds that begin) of its impacts.
 std::vector<Voice> drop_at(SoundRig& rig, ecs::Entity barrel, vec3 place) {
     auto body = rig.match.physics().state(barrel.index);
     body = {.position = place + vec3(0, 2, 0)};
@@ -265,7 +265,7 @@ TEST(SoundScene, ADroppedThingIsHeardWhereItLandsAndOnce) {
     EXPECT_GT(blows[0].gain, 0.5) << "6 m/s";
 }
 
-/// A place on the floor that a wall hides from an ear, or one that no wall hides.
+/// A place on the floor that a wall hides from an ear, if `hidden`; otherwise one that no wall hides.
 std::optional<vec3> place_on_floor(const Simulation& match, vec3 ear, bool hidden) {
     for (double x = -14; x <= 14; x += 1) {
         for (double z = -14; z <= 14; z += 1) {
@@ -431,7 +431,7 @@ TEST(SoundScene, APauseAndAJumpOfTheClockBeginNothing) {
     EXPECT_EQ(rig.heard.frame.begins.count, 0U);
 }
 
-// ---- the mixer --------------------------------------------------------------------------------------------
+// ---- scenes played by the mixer ---------------------------------------------------------------------------
 
 /// Samples that one speaker plays of a sound that begins, or lasts, two metres ahead of the listener.
 std::vector<float> played_by(audio::Mixer& mixer, std::uint32_t sound) {
@@ -474,7 +474,7 @@ TEST(SoundLoopback, EachSoundComesOutOfTheMixerAsItself) {
     EXPECT_LE(wrong, known.size() / 20);
 }
 
-// ---- captions ---------------------------------------------------------------------------------------------
+// ---- captions of sounds -----------------------------------------------------------------------------------
 
 TEST(Heard, TheSideIsThatOfTheListener) {
     const audio::Listener ears{.position = {1, 2, 3}, .forward = {1, 0, 0}, .up = {0, 1, 0}};

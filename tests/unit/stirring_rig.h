@@ -33,7 +33,7 @@ inline FluidTouch some_fluid() {
     return fluid;
 }
 
-/// A tip that the test or the device moves, one tick at a time.
+/// A tip that stirs, moved one tick at a time by the test or by the device.
 struct StirringRig {
     DeviceSpec spec = bare_device();
     SimulatedDevice device = simulated_device(spec, no_hand);

@@ -32,7 +32,7 @@ Clip clip_in(const std::string& json) {
     return imported ? imported->clip : Clip{};
 }
 
-/// A file with one effect of 100 ms for the front.
+/// A .tact file with one effect of 100 ms for the front of a vest.
 std::string file_with(const std::string& mode, const std::string& extra = "") {
     return R"({"project":{"name":"p","tracks":[{"enable":true,"effects":[{"startTime":0,"offsetTime":100,"modes":{)"
            R"("VestFront":)" +

@@ -228,7 +228,7 @@ TEST_F(TactilePlaybackTest, ManyFramesDoNotAllocate) {
     EXPECT_EQ(written(), 500);
 }
 
-// The thread ------------------------------------------------------------------------------------------------
+// The thread that plays tactile frames ----------------------------------------------------------------------
 
 TEST(TactilePlayerThreads, PlaysAndLeavesTheOutputClosed) {
     const auto felt = std::make_shared<Felt>();

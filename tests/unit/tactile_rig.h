@@ -28,7 +28,7 @@ inline EffectBank shipped_effects() {
     return bank ? *bank : EffectBank{};
 }
 
-/// An effect of full strength about one place. The envelope has attack, hold and decay (ms).
+/// An effect of full strength around one place. The envelope has attack, hold and decay (ms).
 inline Effect plain_effect(std::string name, Envelope envelope) {
     Effect effect;
     effect.name = std::move(name);
@@ -65,7 +65,7 @@ struct TactileRig {
         now += frame_ticks;
         return made;
     }
-    /// Largest amplitude of each actuator over some frames.
+    /// Largest amplitude of each actuator over the next `frames` frames.
     std::vector<double> peaks(int frames) {
         std::vector<double> result(layout.actuators.size());
         for (int f = 0; f < frames; ++f) {

@@ -68,7 +68,7 @@ struct BodyRig {
     TactileScene scene;
 };
 
-/// Sum of the squared amplitudes.
+/// Energy of a frame: the sum of its squared amplitudes.
 double energy(const TactileFrame& frame) {
     double sum = 0;
     for (std::size_t i = 0; i < frame.count; ++i) sum += frame.amplitude.at(i) * frame.amplitude.at(i);

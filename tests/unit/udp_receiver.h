@@ -35,7 +35,7 @@ public:
 
     /// Port of the receiver; 0: the wanted port was in use.
     std::uint16_t port() const { return port_; }
-    /// The next message; std::nullopt if none comes within the time.
+    /// The next message; std::nullopt if none comes within `wait_ms`.
     std::optional<std::string> next(int wait_ms = patience_ms) {
         pollfd state{socket_, POLLIN, 0};
         if (::poll(&state, 1, wait_ms) <= 0) return std::nullopt;

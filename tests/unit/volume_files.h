@@ -13,7 +13,7 @@ namespace thaum::field {
 
 namespace fs = std::filesystem;
 
-/// Samples 0, 1, 2 ... as bytes of int16.
+/// Samples 0, 1, 2 and so on, as bytes of int16.
 inline std::string shorts(int n, bool big = false) {
     std::string out;
     for (int i = 0; i < n; ++i) {

@@ -99,7 +99,7 @@ TEST(VolumeLab, ABallIsFeltWhereItIsDrawn) {
 }
 
 TEST(VolumeLab, AHandAtRestBeyondAnEdgeFeelsNothing) {
-    // The surface meets a face of the box at a slant, and its plane goes on above the hand.
+    // The surface meets a face of the volume's box at a slant. Its plane goes on outside, above the hand.
     constexpr int n = 29;
     field::Volume volume{.count = {n, n, n}, .spacing = vec3(1e-3)};
     for (int i = 0; i < n * n * n; ++i) {
@@ -296,7 +296,7 @@ TEST(VolumeLab, ARealHeadIsTouchedPokedCarvedAndSaved) {
     const fs::path path = fs::path(THAUM_SOURCE_DIR) / "../shared/data/volumes/head-ct-128.nrrd";
     if (!fs::exists(path)) GTEST_SKIP() << "there is no folder of volumes beside the source tree";
     auto lab = lab_of(*field::read_volume(path));
-    // The mode for a surface of constant value; bone begins at the value 300
+    // Selects the mode that is felt as a surface where the scan has the value 300, at which bone begins.
     choose(lab, "isosurface", 1.5, 300);
     // Along z the scan runs from the neck to the top of the head.
     double bone = 0.5 * lab.source.extent().z * lab.placement.scale;
@@ -350,7 +350,7 @@ TEST(VolumeLab, ShorterServoStepsFeelTheSameWallAndBuzzLessOnAStiffOne) {
         lab.tips.fill(lab.hand.position);
         const auto figures = move(lab, {0, r - 0.004, 0}, 300, 700);
         EXPECT_NEAR(figures.proxy.y, r, 0.03 * r) << steps;
-        // The spring of the wall and that of the hand share the displacement: 0.004 m.
+        // The hand's spring and the wall's spring share the displacement of 0.004 m.
         const double k = lab.model.coupling.stiffness, hand = lab.device.stiffness;
         EXPECT_NEAR(figures.force.y, 0.004 * k * hand / (k + hand), 0.15 * figures.force.y) << steps;
         EXPECT_LT(glm::length(lab.hand.velocity), 2e-3) << steps;
@@ -376,7 +376,7 @@ TEST(VolumeLab, ShorterServoStepsFeelTheSameWallAndBuzzLessOnAStiffOne) {
     EXPECT_LT(fastest(5), 0.5 * fastest(2));
 }
 
-// ---- several volumes --------------------------------------------------------------------------------------
+// ---- several volumes in the lab ---------------------------------------------------------------------------
 
 TEST(VolumeLab, AVolumeIsFeltAndSoIsOneBesideItWhereverTheyLie) {
     auto lab = made("sphere");

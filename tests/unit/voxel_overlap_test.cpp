@@ -14,7 +14,7 @@ namespace {
 TEST(VoxelOverlap, KnownBodiesHaveTheirRatio) {
     Voxels body = block({10, 10, 10}, 0);
     std::vector<float> wanted(1000);
-    // Overlap of two bodies that are both empty.
+    // Two bodies that are both empty overlap completely, by definition.
     EXPECT_EQ(overlap_with(body.view(), wanted, 0.5F).ratio(), 1);
     std::fill_n(wanted.begin(), 600, 1.0F);
     EXPECT_EQ(overlap_with(body.view(), wanted, 0.5F).ratio(), 0);

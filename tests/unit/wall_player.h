@@ -29,7 +29,7 @@ struct WallPlayer {
     }
 };
 
-/// A circle of 6 cm in 1.5 s, slow at its beginning and end as hands draw it.
+/// Motion of the mouse for a circle of 6 cm in 1.5 s, slow at its beginning and end as hands draw it.
 inline vec2 circle_on_wall(int t) {
     const auto place = [](int at) {
         const double u = at / 1500.0, angle = 2 * pi * u * u * u * (10 + u * (6 * u - 15));

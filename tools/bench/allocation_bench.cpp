@@ -23,23 +23,26 @@ using game::Simulation;
 /// Ticks before the count begins. Every kind of work has been done once by then.
 constexpr Tick warm_up = 10'000;
 
-/// Allocations by what made them.
+/// Numbers of allocations, by what made them: match, bots, or sound and touch.
 struct Counted {
     std::uint64_t match{}, bots{}, senses{};
     std::uint64_t all() const { return match + bots + senses; }
 };
 
-/// What both wizards do for a while, in place of what their bots want; an empty `frame`: what the bots want.
+/// What both wizards do for a while, in place of what their bots want. With an empty `frame`, they do what
+/// the bots want.
 struct Work {
     std::string_view name;
-    std::function<void(Simulation&)> place{};              ///< moves both wizards to the station
+    std::function<void(Simulation&)> place{};              ///< moves both wizards to the place of their work
+                                                           ///< (cauldron, orb or crystal)
     std::function<input::InputFrame(Tick)> frame{};        ///< input of both players
     std::function<void(Simulation&, Tick)> help{};         ///< brings about what would take long to earn
-    std::function<std::uint64_t(const Simulation&)> done;  ///< a number that changes when work is done
-    std::uint64_t times{};                                 ///< number of changes of `done` in the work's time
+    std::function<std::uint64_t(const Simulation&)> done;  ///< count of the work's results; it changes when
+                                                           ///< work is done
+    std::uint64_t times{};                                 ///< how often `done` has changed during this work
 };
 
-/// Ticks for which one kind of work is done. The fourth ends with the warm-up.
+/// Ticks for which one kind of work is done. There are four kinds, so that the fourth ends with the warm-up.
 constexpr Tick work_length = warm_up / 4;
 
 /// Both players stir; in the second half of each second they draw a stroke on the brew.
@@ -61,7 +64,7 @@ void give_ingredient(Simulation& match, Tick tick) {
     if (!world.has<game::Pouch>(wizard)) world.add(wizard, game::Pouch{.ingredient = ingredient});
 }
 
-/// Makes the keys of both crystals finished at one tick, so that new crystals take their places.
+/// Makes both crystals finished keys at one tick, so that new crystals take their places.
 void finish_key(Simulation& match, Tick tick) {
     if (tick != work_length / 2) return;
     match.world_to_change().view<game::Crystal>().each([](game::Crystal& crystal) { crystal.overlap = 1; });
@@ -111,7 +114,7 @@ std::vector<Work> works_of(const game::MatchData& data, const ecs::World& world)
     return works;
 }
 
-/// What is heard and felt of the match: the voices of its sounds, and a jacket for each player. Another
+/// What is heard and felt of the match: the voices (playing sounds), and a jacket for each player. Another
 /// thread mixes the samples of sounds; the area (group of benchmarks) `audio` measures that.
 struct Output {
     std::unique_ptr<game::Senses> senses;
@@ -149,7 +152,7 @@ public:
           output_(std::move(output)),
           works_(works_of(duel_.match->data(), duel_.match->world())) {}
 
-    /// Plays `count` ticks: of all works in turn, or of the duel alone.
+    /// Plays `count` ticks: of all kinds of work in turn, or of the duel alone.
     Counted run(Tick count, bool all_works) {
         Counted counted;
         const Tick works = all_works ? works_.size() : 1;
@@ -185,7 +188,7 @@ private:
         counted.senses += since();
         work.times += work.done(match) != before ? 1 : 0;
     }
-    /// Brings the wizards to the station of their work, unless one is dead, and keeps them fit for it.
+    /// Brings the wizards to the place of their work, unless one is dead, and keeps them fit for it.
     void prepare(const Work& work, Tick tick) {
         auto& match = *duel_.match;
         auto& world = match.world_to_change();
@@ -202,7 +205,8 @@ private:
     std::vector<Work> works_;
 };
 
-/// A duel of the best bots, whose hands cast freely as well, so that all their motion is read for gestures.
+/// A duel of the best bots, whose hands may also cast spells without a button, so that all their motion is
+/// read for gestures.
 Expected<game::BotDuel> gesturing_duel(std::shared_ptr<const game::MatchData> data) {
     const auto skill = game::load_bot_skill(game::find_assets(), game::hardest_bot);
     if (!skill) return skill.error();

@@ -58,7 +58,7 @@ void fluid(const Options& options, Report& report);
 void fluid_hand(const Options& options, Report& report);
 /// Part of the area (group of benchmarks) `fluid`: curved walls, and layers of viscosity.
 void fluid_walls(const Options& options, Report& report);
-/// Long stress test of the fluid.
+/// Long stress test of the area (group of benchmarks) `fluid`.
 void fluid_stress(const Options& options, Report& report);
 
 }  // namespace thaum::bench

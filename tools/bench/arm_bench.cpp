@@ -41,8 +41,9 @@ input::ArmReading reading_at(int tick) {
             .position_um = {500 * (phase < 40 ? phase : 80 - phase), 1000, 0}};
 }
 
-/// The simulation's half of a tick, as in a match: takes the arm's sample, repeats the servo step, and
-/// publishes the next haptic model to the arm's thread.
+/// The simulation's half of a tick, as in a match with a real arm: takes the arm's sample, repeats the step
+/// by which the arm's thread computed the force (servo step), and publishes the next haptic model to that
+/// thread.
 struct ArmMatchHalf {
     input::ArmServo& door;
     haptics::Servo servo = touch_servo();
@@ -101,7 +102,8 @@ void arm_exchange(const Options& options, Report& report) {
                                        {"lost", static_cast<double>(faults.lost)}}});
 }
 
-/// The arm's thread: in each tick it sleeps, measures and computes the force, until `stop` is set.
+/// The arm's thread: in each tick it sleeps, reads the arm's position and computes the force, until `stop` is
+/// set.
 void run_arm(input::ArmServo& door, input::TickTimes& kept, const std::atomic<bool>& stop) {
     auto due = monotonic_ns();
     for (int tick = 0; !stop; ++tick) {

@@ -39,8 +39,8 @@ audio::SoundBank bench_sounds() {
     return bank;
 }
 
-/// Audio frame with `lasts` voices that last and `begins` voices that begin. All of them move; of the lasting
-/// ones some are behind walls and some are played slower.
+/// Audio frame with `lasts` voices (playing sounds) that last and `begins` voices that begin. All of them
+/// move; of the lasting ones some are behind walls and some are played slower.
 AudioFrame busy_frame(std::uint32_t listeners, std::uint32_t lasts, std::uint32_t begins, int block) {
     AudioFrame frame;
     frame.listener_count = listeners;
@@ -63,13 +63,14 @@ AudioFrame busy_frame(std::uint32_t listeners, std::uint32_t lasts, std::uint32_
 }
 
 struct MixCase {
-    const char* listeners_heard;  ///< name of the way in which listeners share the speakers
+    const char* listeners_heard;  ///< how listeners share the speakers, as a word for the report
     std::uint32_t listeners{1};
-    std::uint32_t lasts{}, begins{};  ///< numbers of lasting voices, and of voices that begin in each block
+    std::uint32_t lasts{}, begins{};  ///< number of lasting voices (playing sounds), and of those that begin
+                                      ///< in each block
     bool headphones{};
 };
 
-/// Mixes blocks and appends a row with times, allocations and voices heard.
+/// Mixes blocks and appends a row with times, allocations and number of voices (playing sounds) heard.
 void mix_row(const Options& options, Report& report, const MixCase& mixed) {
     auto mixer = Mixer::create(bench_sounds(), {.headphones = mixed.headphones});
     if (!mixer) {
@@ -162,7 +163,7 @@ double worst_level_db(Mixer& mixer, std::span<const double> distances_m, std::si
 
 void level_row(Report& report) {
     auto mixer = Mixer::create(bench_sounds(), {});
-    if (!mixer) return;  // the error was already reported by mix_row
+    if (!mixer) return;  // the failure was already reported by mix_row
     std::size_t places = 0;
     constexpr std::array distances_m{0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 35.0};
     const double start = now_us();

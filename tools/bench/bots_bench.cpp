@@ -8,7 +8,7 @@
 namespace thaum::bench {
 namespace {
 
-/// Bots look and decide once in this many ticks, so their time is taken over all of them.
+/// Bots look and decide once in this many ticks, so their time in a tick is the mean over so many.
 constexpr Tick together = game::gameplay_period;
 
 void measure_bots(const Options& options, int level, Report& report) {

@@ -86,7 +86,7 @@ std::vector<Dab> random_dabs(double spacing) {
     return dabs;
 }
 
-/// Melting, computed by its formula in double, for the voxels around the middle of a body.
+/// The tool that melts a body, computed by its formula in double, for the voxels around the body's middle.
 class PlainMelting {
 public:
     PlainMelting(const Voxels& body, double radius)
@@ -148,7 +148,8 @@ double error_of_melting(int n, double radius) {
     return plain.max_error(body);
 }
 
-/// Edits one body repeatedly with one tool. Before each edit, the place of the last one is filled again.
+/// Edits one body repeatedly with one tool. Before each edit, the place of the last edit is filled again, so
+/// that the body stays whole.
 struct Carver {
     int n;
     double radius;
@@ -173,7 +174,8 @@ struct Carver {
 };
 
 struct EditSizes {
-    /// Means over the edits: changed voxels and bricks, density removed and added (density m^3).
+    /// Means over the edits: changed voxels, changed bricks (blocks of voxels), and density removed and added
+    /// (density m^3).
     double voxels{}, bricks{}, removed{}, added{};
     std::uint64_t hash{};
 };

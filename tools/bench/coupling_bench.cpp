@@ -17,13 +17,13 @@ using haptics::CouplingState;
 
 constexpr double pair_seconds = 1;
 constexpr double pair_damping_ratio = 0.1;
-constexpr double pair_stretch = 0.2;  // stretch at the start (m)
+constexpr double pair_stretch = 0.2;  // stretch of the spring at the start (m)
 constexpr double hand_mass = 1;       // mass of a free hand (kg)
 
 struct PairSetting {
     bool exact;
     double stiffness;   // stiffness of the coupling (N/m)
-    double mass_ratio;  // object's mass divided by hand_mass
+    double mass_ratio;  // mass of the object divided by that of the hand
     std::int64_t step_ms;
     bool free_hand = false;
 
@@ -33,7 +33,8 @@ struct PairSetting {
     double damping() const { return 2 * pair_damping_ratio * std::sqrt(stiffness / inverse_mass()); }
 };
 
-/// Velocity of a prescribed hand at each step (m/s). It reverses every 16 ms, whatever the step length.
+/// Velocity of a hand whose motion is given, at each step (m/s). It reverses every 16 ms, whatever the step
+/// length.
 double hand_velocity(const PairSetting& s, int i) {
     if (s.free_hand) return 0;
     return (i * s.step_ms / 16) % 2 == 0 ? 0.5 : -0.5;
@@ -67,7 +68,8 @@ void step_exactly(const PairSetting& s, std::vector<double>& stretches) {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
         if (!s.free_hand) state.hand_velocity.x = hand_velocity(s, static_cast<int>(i));
         const auto r = couple(step, state);
-        // The centre of mass of a free pair stays at rest.
+        // The centre of mass of a free pair stays at rest, so a free hand moves against the object,
+        // `mass_ratio` times as far. Otherwise the hand's motion is given.
         state.hand += s.free_hand ? -s.mass_ratio * r.displacement : state.hand_velocity * s.dt();
         if (s.free_hand) state.hand_velocity -= r.impulse / hand_mass;
         state.object += r.displacement;
@@ -102,7 +104,7 @@ double relative_error(const std::vector<double>& found, const std::vector<double
     return worst;
 }
 
-/// Stretches after each step (m): with a prescribed hand, and with a free hand of mass hand_mass.
+/// Stretches of the spring after each step (m): with a hand whose motion is given, and with a free hand.
 struct PairRun {
     std::vector<double> moved, free;
 };

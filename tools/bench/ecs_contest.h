@@ -21,7 +21,7 @@ struct Side {
 struct Contest {
     std::string_view name;
     std::uint32_t n{};
-    double matches{};      ///< number of entities that one run visits; times are divided by it
+    double matches{};      ///< number of entities that one run visits; the reported times are per entity
     double bytes{};        ///< number of bytes that the raw arrays read and write in one run
     double working_set{};  ///< size of the raw arrays' data (bytes)
     Side raw, thaum;
@@ -33,7 +33,7 @@ struct Contest {
 /// Number of runs per sample. Short runs are repeated, because the clock is too coarse for them.
 inline std::size_t calls_for(std::uint32_t n) { return std::max<std::size_t>(1, 100'000 / n); }
 
-// Iteration and access (ecs_iteration.cpp).
+// Cases that iterate over components or read them at random (ecs_iteration.cpp).
 
 Contest iterate_1(std::uint32_t n);
 Contest iterate_2(std::uint32_t n);
@@ -45,7 +45,7 @@ Contest empty_view(std::uint32_t n);
 template <class C>
 Contest random_get(std::uint32_t n);
 
-// Structural changes, and the whole state (ecs_structure.cpp).
+// Cases that create, destroy or change entities, or read the whole state (ecs_structure.cpp).
 
 /// Creates entities in reserved memory whose pages have already been written, or in memory that grows from
 /// nothing. All entities have the same Motion, because computing different ones would cost more than storing
@@ -58,8 +58,8 @@ Contest remove_1(std::uint32_t n);
 /// hash depends on it.
 Contest tag_churn(std::uint32_t n);
 Contest snapshot(std::uint32_t n);
-/// Hashes a whole World. The raw arrays are only copied by memcpy and not hashed, so the results of the two
-/// differ.
+/// Hashes a whole World. The plain arrays ("raw") are only copied by memcpy and not hashed, so the results of
+/// the two differ.
 Contest state_hash(std::uint32_t n);
 
 }  // namespace thaum::bench::things

@@ -23,19 +23,19 @@ inline void add_scaled(Triple& a, const Triple& b, double s) {
 
 inline void age(Prop& p) { ++p.moved_at; }
 
-/// Work for each entity in the case iterate_2.
+/// Work for each entity in the case iterate_2 of the benchmark, which reads and writes two components.
 inline void move(Motion& m, Prop& p) {
     add_scaled(m.position, m.velocity, dt);
     p.moved_at += m.asleep;
 }
 
-/// Work for each entity in the case rare_view.
+/// Work for each entity in the case rare_view of the benchmark: slows it down and moves it.
 inline void slow_down(Motion& m, const Body& b) {
     add_scaled(m.velocity, m.velocity, -dt * b.damping[0]);
     add_scaled(m.position, m.velocity, dt);
 }
 
-/// Work for each entity in the case iterate_3_half.
+/// Work for each entity in the case iterate_3_half of the benchmark, which visits half of the entities.
 inline void slow_down_and_age(Motion& m, Prop& p, const Body& b) {
     slow_down(m, b);
     p.moved_at += m.asleep;
@@ -103,7 +103,7 @@ Contest iterate_3_half(std::uint32_t n) {
 
 namespace {
 
-/// Large arrays, and a list of the rows that have a Body.
+/// Large arrays, and a list of those of their rows that have a Body, as few entities do.
 struct Rare {
     Arrays all;
     std::vector<std::uint32_t> rows;

@@ -61,7 +61,8 @@ std::shared_ptr<Groups> groups(std::uint32_t n) {
     return g;
 }
 
-/// Row of entity k after entities 0 to k - 1 were removed and the last row has filled each hole.
+/// Row of entity k in the arrays after entities 0 to k - 1 were removed, each hole being filled with the last
+/// row.
 std::size_t row_of_next(std::size_t k, std::size_t count) { return std::min(k, count - 1); }
 
 /// A World whose entities are created again before each run, in memory that is already allocated.

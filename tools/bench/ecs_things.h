@@ -26,7 +26,7 @@ struct Triple {
     THAUM_FIELDS(Triple, x, y, z);
 };
 
-/// Stands for game::Motion, whose layout it has.
+/// Stands for game::Motion, the component of position and velocity, whose memory layout it has.
 struct Motion {
     Triple position{};
     std::array<double, 4> orientation{1, 0, 0, 0};
@@ -39,14 +39,14 @@ struct Motion {
 };
 static_assert(sizeof(Motion) == sizeof(game::Motion));
 
-/// Stands for game::Look, whose layout it has.
+/// Stands for game::Look, the component of appearance, whose memory layout it has.
 struct Look {
     std::uint32_t surface{};
     THAUM_COMPONENT(Look, surface);
 };
 static_assert(sizeof(Look) == sizeof(game::Look));
 
-/// Stands for game::Prop, whose layout it has.
+/// Stands for game::Prop, the component of loose things, whose memory layout it has.
 struct Prop {
     std::uint64_t moved_at{};
     std::uint32_t moved_by{};
@@ -55,7 +55,7 @@ struct Prop {
 };
 static_assert(sizeof(Prop) == sizeof(game::Prop));
 
-/// Stands for game::Body, whose layout it has.
+/// Stands for game::Body, the component of rigid bodies, whose memory layout it has.
 struct Body {
     std::array<std::uint32_t, 2> shape{};
     Triple size{0.5, 0.5, 0.5};

@@ -57,7 +57,7 @@ public:
         }
     }
 
-    std::uint64_t begun = 0;  ///< number of voices that began
+    std::uint64_t begun = 0;  ///< number of voices (playing sounds) that began
     std::uint64_t felt = 0;   ///< frames of the body figure in which a player feels something
 
 private:
@@ -103,7 +103,7 @@ void tick_duel_felt(const Options& options, Report& report) {
     auto sounds = game::match_sounds(senses->bank, shown);
     auto effects = game::match_effects(senses->effects, shown);
     Sensed sensed(*senses, std::move(sounds), std::move(effects));
-    measure(*plain, *other, sensed, 1000);  // runs until all memory is allocated
+    measure(*plain, *other, sensed, 1000);  // not counted: runs until all memory is allocated
     const auto measured = measure(*plain, *other, sensed, options.quick ? 2'500 : 15'000);
     report.rows.push_back(
         {.area = "tick",

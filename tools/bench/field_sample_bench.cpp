@@ -21,7 +21,7 @@ namespace {
 using field::Kernel;
 
 constexpr std::size_t places_in_a_run = 512;
-constexpr double side = 0.2;  ///< side of a volume (m)
+constexpr double side = 0.2;  ///< length of a volume's edges (m)
 
 enum class Quantity : std::uint8_t { value, gradient, curl };
 constexpr std::array quantities{Quantity::value, Quantity::gradient, Quantity::curl};

@@ -43,7 +43,8 @@ std::vector<FluidRun> runs_of(const Flow& flow, int n, Report& report) {
                    report);
 }
 
-/// Adds the time for each Gauss-Seidel sweep for `classic`, and the time relative to `classic` for `thaum`.
+/// Adds to the row: for the solver `classic` the time of each Gauss-Seidel sweep, and for `thaum` its time
+/// relative to that of `classic`.
 void add_time_metrics(const FluidRun& run, const std::vector<FluidRun>& all, Row& row) {
     row.metrics.emplace_back("substeps_per_step", run.substeps / run.steps);
     if (run.us.empty()) return;
@@ -168,7 +169,8 @@ struct TurnedShape {
     double (*density)(vec3 place);
 };
 
-/// One revolution by transport alone. The number of steps follows from `cfl`; they are not steps of 16 ms.
+/// One revolution of a shape by transport alone. The number of steps follows from the Courant number `cfl`;
+/// they are not steps of 16 ms.
 void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
     auto runs = runs_of(
         [](const Scheme& scheme, int cells) { return make_fluid(flows::turning_settings(scheme, cells)); }, n,
@@ -291,8 +293,8 @@ void weighings(const Options& options, Report& report) {
 
 // ---- the cauldron ----------------------------------------------------------------------------------------
 
-/// The load of a match: two ladles that stir and three substances in a bowl, one of them viscous. It is
-/// compared with an empty box with the same number of cells.
+/// The load of a match: two ladles that stir and three substances in a bowl, one of them viscous. The time is
+/// compared with that of an empty box with the same number of cells.
 void cauldron(const Options& options, Report& report) {
     const int n = 32, steps = options.quick ? 60 : 600;
     std::vector<FluidRun> runs;
@@ -344,7 +346,7 @@ Expected<Fluid> attacked(const Scheme& scheme, int n) {
     return flows::start(flow, scheme, n);
 }
 
-/// Fluids that get one random push of up to 100 m/s in every step.
+/// Fluids that get one random push of up to 100 m/s in every step (hostile input).
 void hostile_of(int n, const Options& options, Report& report) {
     const int steps = options.quick ? 50 : 2000;
     auto runs = runs_of(attacked, n, report);

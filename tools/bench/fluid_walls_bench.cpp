@@ -16,7 +16,8 @@ using flows::Scheme;
 using fluid::Fluid;
 using fluid::Solver;
 
-/// Row for `thaum` alone, because `classic` has no walls inside the box. With solids its order is 2.
+/// Row for the solver `thaum` alone, because `classic` has no walls inside the box. With such walls, `thaum`
+/// has only second order of accuracy.
 Row row_between_walls(const std::string& name, const FluidRun& run, double error, Report& report) {
     Row row = row_of(name, run);
     row.error = ErrorMeasure{"relative_l2_velocity", error};

@@ -72,7 +72,7 @@ std::vector<TestedStroke> strokes_for(std::span<const gesture::Gesture> gestures
     return strokes;
 }
 
-/// A recognition method with its templates, the examples to which a stroke is compared.
+/// A method of recognition with its templates, the example strokes with which a stroke is compared.
 struct IsolatedRun {
     std::string method;
     std::size_t templates{};

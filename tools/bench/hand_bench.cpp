@@ -26,7 +26,7 @@ using haptics::FlowSource;
 constexpr std::size_t hand_places = 64;
 constexpr double brew_density = 8;  // density of the brew (kg/m^3)
 
-/// A brew of three substances with a known velocity field.
+/// A brew of three substances whose velocity is known exactly at every point.
 struct TurningBrew {
     fluid::Fluid fluid;
     std::vector<vec3> places{};
@@ -57,8 +57,8 @@ Expected<TurningBrew> turning_brew(int n) {
     return brew;
 }
 
-/// Relative root mean square error of velocities that are read from a patch (a copied part of the flow),
-/// within a cell of its middle.
+/// Relative root mean square error of velocities that are read from a patch (a copied part of the flow), at
+/// places within a cell of its middle.
 double patch_error(const TurningBrew& brew) {
     Random random = random_stream(5, 2);
     const double cell = brew.fluid.lattice.h;
@@ -242,7 +242,7 @@ void hand_steps(const Options& options, Report& report) {
 
 // ---- momentum ---------------------------------------------------------------------------------------------
 
-/// A hand that moves straight through the brew, whatever the force on it.
+/// A hand that moves straight through the brew at an even speed, whatever the force on it.
 struct StrokingHand {
     haptics::Servo servo;
     vec3 from, velocity;  ///< position at the start (m) and velocity (m/s) of the device

@@ -63,11 +63,12 @@ void controlled_walls(Report& report) {
     }
 }
 
-/// Motion of a device during the benchmark; it decides which branches of a tick run.
+/// Motion of a device during the benchmark. Rest, sliding and reversal are computed by different branches of
+/// a tick.
 struct Motion {
     const char* name;
-    double friction;  // dry friction (N)
-    double swing;     // amplitude of the target (m)
+    double friction;  // dry friction of the device (N)
+    double swing;     // amplitude of the target to which the hand moves (m)
     int period;       // period of the target's motion (ticks)
 };
 constexpr std::array motions{Motion{"frictionless", 0, 0.03, 400}, Motion{"sliding", 0.26, 0.03, 400},
@@ -176,7 +177,8 @@ void safety_hostile(const Options& options, Report& report) {
 
 struct ServoLoad {
     const char* name;
-    std::uint32_t every, length;  // interval and length of pulses (ticks); 0: no pulses
+    std::uint32_t every, length;  // time from one pulse to the next, and duration of a pulse (ticks); 0: no
+                                  // pulses
     bool primitives = false;
     bool patch = false;
 };
@@ -184,7 +186,8 @@ constexpr std::array servo_loads{ServoLoad{"quiet", 0, 0}, ServoLoad{"bolts", 12
                                  ServoLoad{"four_pulses", 25, 100}, ServoLoad{"four_primitives", 0, 0, true},
                                  ServoLoad{"full_patch", 0, 0, false, true}};
 
-/// One primitive of each kind: a floor, a point to snap to, a groove that leads to it, and a wind.
+/// One haptic primitive (simple source of force) of each kind: a floor, a point to snap to, a groove that
+/// leads to it, and a wind.
 haptics::PrimitiveSet four_primitives() {
     using enum haptics::PrimitiveKind;
     haptics::PrimitiveSet set;

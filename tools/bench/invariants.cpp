@@ -12,7 +12,7 @@ namespace {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 
-/// Bounds for one value of a row: a metric or the error.
+/// Bounds that one value of a report's row, a metric or the error, must keep.
 struct Invariant {
     std::string_view area;
     std::string_view name;  ///< name of a case; empty: every case in the area (group of benchmarks)
@@ -20,9 +20,11 @@ struct Invariant {
     double least, most;
 };
 
-/// Largest energy that passive sources may create in a hand (J), as the haptic design demands.
+/// Largest energy (J) that passive sources, such as springs and walls, may create in a hand, as the haptic
+/// design demands.
 constexpr double max_created = 0.02;
-/// Largest relative change of an amount that transport must conserve; float rounding errors stay below it.
+/// Largest relative change of the amount of a fluid's substance, which transport must conserve; float
+/// rounding errors stay below it.
 constexpr double amount_drift = 1e-5;
 
 constexpr std::array invariants{
@@ -104,7 +106,7 @@ bool has_figure(const Row& row, std::string_view figure) {
                        [&](const auto& metric) { return metric.first == figure; });
 }
 
-/// Fault of a row that lacks a value for which there is a bound; empty: none.
+/// Fault of a row that lacks a value for which there is a bound, as a text; empty: none.
 std::string missing_figure(const Row& row) {
     for (const auto& i : invariants) {
         if (!i.name.empty() && applies(i, row) && !has_figure(row, i.figure))

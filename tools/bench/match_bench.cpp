@@ -143,7 +143,7 @@ void drop_three(SceneMatch& scene) {
     }
 }
 
-/// Largest energy that the passive sources of a hand have created (J).
+/// Largest energy that the passive sources of a hand, such as springs and walls, have created (J).
 double most_created(const game::Simulation& match) {
     double created = 0;
     match.world().view<const game::HandState>().each([&](const game::HandState& hand_state) {
@@ -199,17 +199,17 @@ void tick_duel_cauldron(const Options& options, Report& report) {
          .hash = hex(match.state_hash())});
 }
 
-/// Function that keeps a feature busy; called before each tick.
+/// Function that keeps a feature of the game busy; called before each tick.
 using Stir = std::function<void(SceneMatch&, Tick)>;
 
 struct Feature {
     const char* name;
     std::vector<std::string_view> systems;
-    const char* idle_state;  ///< name of the idle state, such as "absent" or "asleep"
+    const char* idle_state;  ///< name of the idle state in the report, such as "absent" or "asleep"
     Stir stir;
     std::vector<std::string> overrides{};
-    /// Ticks between half a second of activity and the measurement of the idle feature. 0: no activity
-    /// before.
+    /// Ticks from half a second in which the feature is busy to the measurement of the idle feature. 0: it
+    /// was never busy.
     Tick rest{};
 };
 
@@ -217,7 +217,7 @@ struct Cost {
     double calls_per_tick{}, ns_per_tick{};
 };
 
-/// Time that reading the clock adds to a system (ns).
+/// Time that reading the clock adds to the measured time of a system (ns).
 double clock_ns() {
     return 1000 *
            median_of(2000,
@@ -301,7 +301,7 @@ void search_orb(SceneMatch& scene, Tick tick) {
 void skip_features(const Options& options, Report& report) {
     const std::vector<std::string_view> fluid_systems{"brew", "brew's surface", "splashes"};
     const std::vector<std::string_view> crystal_systems{"carvers", "carving", "chisels", "chips"};
-    // A less viscous brew would need minutes to come to rest.
+    // The brew is made thick here, because a less viscous one would need minutes to come to rest.
     const std::vector<std::string> thick_brew{"cauldron.brew.viscosity_m2_s=0.2",
                                               "cauldron.surface.damping_per_s=20"};
     const std::vector<Feature> features{

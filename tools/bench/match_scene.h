@@ -15,7 +15,7 @@ double mean(const std::vector<double>& samples);
 /// Median time of a run (us).
 double median_of(std::size_t count, const std::function<void()>& run);
 
-/// Prints on standard error why `what` has no row.
+/// Prints on standard error why the report has no row for `what`.
 void say_why_not(std::string_view what, const Error& error);
 template <class T>
 bool there(const Expected<T>& value, std::string_view what) {
@@ -28,13 +28,13 @@ bool there(const Expected<T>& value, std::string_view what) {
 std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {},
                                                  const std::string& arena = game::DataChoice{}.arena);
 
-/// A duel of those bots that need the most work in each tick, with duel_data().
+/// A duel of those bots that need the most work in each tick, in a match that cannot end (duel_data).
 Expected<game::BotDuel> heaviest_duel();
 
 /// A match with two scripted wizards, or with no input at all.
 struct SceneMatch {
     std::unique_ptr<game::Simulation> match;
-    input::InputFrame frame;  ///< input of every tick
+    input::InputFrame frame;  ///< input of both players, the same in every tick until it is changed
 
     void run(Tick count);
     ecs::SystemCount counted(std::string_view system) const;

@@ -39,10 +39,11 @@ using field::ScalarField;
 
 constexpr int samples_each_way = 128;
 constexpr double spacing = 0.0008;         // spacing of the samples (m); the volume is 10 cm wide
-constexpr double stiffness = 300;          // stiffness of the spring between tip and proxy (N/m)
+constexpr double stiffness = 300;          // stiffness of the spring between tip and proxy, the point held on
+                                           // the surface (N/m)
 constexpr double depth = 1.0 / stiffness;  // depth of the tip (m), for a push of 1 N
 constexpr double level = 127.5;            // density at the surface: half of the full density
-constexpr double reach = 1.5 * spacing;    // distance from the surface within which the mode acts (m)
+constexpr double reach = 1.5 * spacing;    // distance from the surface within which the haptic mode acts (m)
 constexpr double radius = 40 * spacing;    // radius of the ball (m)
 
 // ---- fields -----------------------------------------------------------------------------------------------
@@ -65,7 +66,7 @@ struct BallMean {
     }
 };
 
-/// One volume, read with each kernel.
+/// One scanned volume, read with each interpolation kernel.
 struct Readings {
     explicit Readings(const ScannedVolume& v)
         : smooth(v.smooth()),
@@ -152,7 +153,7 @@ Row normal_row(const char* kernel, ScalarField field, bool by_density, int direc
 
 // ---- sliding ----------------------------------------------------------------------------------------------
 
-/// A path of the tip, and the part of it that is measured.
+/// A path of the tip on a surface, and the part of the path that is measured.
 struct Slide {
     const char* name;
     std::function<vec3(int tick)> tip;
@@ -161,9 +162,9 @@ struct Slide {
 
 struct Noise {
     double mean{};   ///< mean force (N)
-    double rms{};    ///< root mean square of the difference from the mean over the nearest 64 ms (N)
-    double worst{};  ///< largest difference from the mean over the nearest 64 ms (N)
-    double jump{};   ///< largest change from tick to tick (N)
+    double rms{};    ///< root mean square of the force minus its mean over the nearest 64 ms (N)
+    double worst{};  ///< largest difference of the force from its mean over the nearest 64 ms (N)
+    double jump{};   ///< largest change of the force from tick to tick (N)
     double swing{};  ///< half of the sum of all rises and falls of the force beyond its net change (N)
     std::uint64_t hash{};
 };
@@ -335,7 +336,7 @@ std::array<Slide, 3> block_ways(const TurnedBlock& block, bool by_density, int t
 
 // ---- modes ------------------------------------------------------------------------------------------------
 
-/// Fields of 128^3 samples for all modes.
+/// Fields of 128^3 samples for all haptic modes.
 struct ModeFields {
     ScannedVolume density = scanned(haptics::Ball{{}, radius}, samples_each_way, spacing);
     std::array<ScannedVolume, 3> flow{density, density, density};
@@ -360,7 +361,7 @@ struct ModeFields {
 
 constexpr std::size_t places_in_a_call = 64;
 
-/// Evaluates one mode at places near the surface of the ball.
+/// Evaluates one haptic mode at places near the surface of the ball.
 struct ModeRunner {
     haptics::ModeUse use;
     std::vector<haptics::ModeInput> inputs{};
@@ -377,7 +378,8 @@ struct ModeRunner {
     }
 };
 
-/// Inputs for a tip that slides over the ball with a push of 1 N, with the proxy on the surface.
+/// Inputs for a tip that slides over the ball with a push of 1 N, with the proxy (the point that follows the
+/// tip) on the surface.
 std::vector<haptics::ModeInput> inputs_near_surface() {
     std::vector<haptics::ModeInput> inputs;
     for (int i = 0; i < 1024; ++i) {
@@ -409,7 +411,8 @@ ModeRunner runner_of(const haptics::Mode& mode, const ModeFields& fields, Scalar
     return runner;
 }
 
-/// Evaluates haptics::VolumeFeel with all its parts, for comparison with the modes.
+/// Evaluates haptics::VolumeFeel, the feel of a whole scan, with all its parts, for comparison with single
+/// modes.
 struct VolumeRunner {
     haptics::VolumeFeel feel{};
     std::vector<haptics::ModeInput> inputs = inputs_near_surface();
@@ -456,7 +459,7 @@ Row mode_row(std::string mode, const char* kernel, std::vector<double> us, doubl
             .hash = hex(hash)};
 }
 
-/// Number of allocations in one call.
+/// Number of memory allocations in one run of a benchmark.
 template <class Runner>
 double allocations_of(Runner& runner) {
     const auto before = allocation_count();

@@ -1,5 +1,5 @@
-// Benchmark of the energy that passive sources create at the hand. It plays every haptic scenario and reports
-// the largest energy.
+// Benchmark of the energy that passive sources of force, such as springs and walls, create at the hand. It
+// plays every haptic scenario and reports the largest energy.
 
 #include "core/file.h"
 #include "core/text.h"

@@ -33,7 +33,7 @@ constexpr std::array<std::int64_t, 4> steps_ms{1, 2, 4, 8};
 constexpr std::int64_t shipped_step_ms = 1;
 constexpr int shipped_iterations = physics::Settings{}.solver_iterations;
 
-/// A simulated world and its time step.
+/// A simulated world, its treatment of steps (scheme), and its time step.
 struct Run {
     std::string scheme;
     double dt;  ///< time step (s)
@@ -133,7 +133,7 @@ Outcome pendulum(Run& run) {
     const BodyState& state = run.physics.state(1);
     const vec3 there = rod * vec3(std::sin(exact[0]), -std::cos(exact[0]), 0);
     return {.error = glm::length(state.position - there),
-            // The energy at the end is the drift, because it was 0 at the start.
+            // The energy was 0 at the start, so the energy at the end is the drift.
             .metrics = {{"energy_drift_j", energy(run)},
                         {"rod_error_m", std::abs(glm::length(state.position) - rod)}},
             .hash = hash_value(state)};
@@ -154,7 +154,7 @@ MedianOf median_of(std::array<double, stack_count> values) {
     return {(values[15] + values[16]) / 2, values[9], values[22]};
 }
 
-constexpr Key stack_boxes = 8;    // boxes of a stack
+constexpr Key stack_boxes = 8;    // number of boxes in a stack
 constexpr double half_box = 0.2;  // half the edge of a box (m)
 
 Key box_key(Key stack, Key level) { return 1 + stack * stack_boxes + level; }
@@ -179,7 +179,8 @@ std::array<vec3, stack_count> add_stacks(Physics& physics) {
 
 /// How far the boxes have moved from where rigid boxes would be.
 struct StackDrift {
-    std::array<double, stack_count> of_top{};  ///< distance of the top box of each stack (m)
+    std::array<double, stack_count> of_top{};  ///< distance of each stack's top box from its place on rigid
+                                               ///< boxes (m)
     double sunk{};                             ///< largest distance by which any box has sunk (m)
     std::uint64_t hash{};                      ///< hash of the states of all boxes
 };
@@ -292,7 +293,7 @@ void measure_case(const Case& one, const Options& options, Report& report) {
 
 // ---- contacts --------------------------------------------------------------------------------------------
 
-/// One row with the shipped settings, whose error must stay below a bound.
+/// One row with the shipped settings of the physics, whose error must stay below a bound.
 struct Stress {
     std::string name;
     std::string shape;

@@ -35,8 +35,8 @@ vec3 from_kink(const Primitive& p, vec3 x) {
     return p.kind == PrimitiveKind::line ? m - along : along;
 }
 
-/// The force nearest to `force` that the primitive can exert while the proxy is on its kink, where its force
-/// jumps (N).
+/// The force nearest to `force` that the primitive can exert while the proxy, the point that it acts on, is
+/// on its kink, where its force jumps (N).
 vec3 within_strength(const Primitive& p, vec3 force) {
     if (p.kind == PrimitiveKind::plane)
         return std::clamp(glm::dot(force, p.direction), 0.0, p.strength) * p.direction;
@@ -125,13 +125,13 @@ constexpr std::array methods{
     Method{"iterative", iterative}, Method{"gauss_seidel", gauss_seidel}};
 constexpr std::array<std::size_t, 5> counts{1, 2, 4, 8, 16};
 
-/// Statistics of many random sets of primitives.
+/// Statistics of many random sets of haptic primitives, simple sources of force such as planes and points.
 struct Tally {
     double residual{};     ///< worst residual, the sum of forces that is left (N)
     double own{};          ///< worst residual (remaining sum of forces) as reported by the method itself (N)
     double force_error{};  ///< worst error of the force at the hand, compared with the method "exact" (N)
     double above{};        ///< share of sets with a residual (remaining sum of forces) above 1e-9 N
-    double steps{};        ///< mean number of steps
+    double steps{};        ///< mean number of steps that the method takes for a set
     double max_steps{};
     double allocations{};
     std::uint64_t hash{};
@@ -162,7 +162,7 @@ Tally tally_of(const Method& method, std::size_t count, std::size_t sets) {
 
 constexpr std::size_t batch = 64;
 
-/// A fixed list of sets of primitives, which a method solves one after another.
+/// A fixed list of sets of haptic primitives, which a method solves one after another.
 struct Stock {
     Solve solve;
     std::vector<haptics::sets::Case> cases;

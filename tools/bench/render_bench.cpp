@@ -60,8 +60,8 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
            const render::Image& best) {
     const auto name = render::quality_names[static_cast<std::size_t>(quality)];
     const auto image = picture_at(scene, quality);
-    // The shadow map of fixed objects is up to date. The next frame includes moving objects, as in a running
-    // match.
+    // The shadow map of fixed objects is up to date by now. The next frame includes moving objects, as in a
+    // running match.
     scene.advance();
     scene.draw(scene.picture, quality);
     const auto s = scene.renderer().statistics();

@@ -11,11 +11,11 @@
 namespace thaum::bench {
 namespace {
 
-/// The log of a duel. The destructor removes the file.
+/// The log file of a recorded duel. The destructor removes the file.
 struct RecordedDuel {
     std::filesystem::path file = std::filesystem::temp_directory_path() /
                                  text("thaum-bench-", static_cast<long>(now_us()), ".thaumlog");
-    double ticking_us = 0;  ///< time that the ticks took, including the bots (us)
+    double ticking_us = 0;  ///< time that the ticks took when the duel was played, including the bots (us)
 
     RecordedDuel() = default;
     RecordedDuel(const RecordedDuel&) = delete;

@@ -19,7 +19,7 @@ namespace thaum::bench {
 
 using Value = std::variant<std::int64_t, double, std::string>;
 
-/// Times of one run (us).
+/// Times of one run of a case (us).
 struct Times {
     double min{};
     double median{};
@@ -33,13 +33,14 @@ struct ErrorMeasure {
 
 struct Row {
     std::string area{};
-    std::string name{};  ///< name of the case
+    std::string name{};  ///< name of the measured case
     std::vector<std::pair<std::string, Value>> setting{};
     std::optional<Times> time_us{};
     std::optional<ErrorMeasure> error{};
     /// true: the row is on the Pareto front; set by mark_fronts.
     bool front = false;
-    bool is_default = false;                                ///< true for the shipped setting
+    bool is_default = false;                                ///< true if the row has the setting that the game
+                                                            ///< is shipped with
     std::vector<std::pair<std::string, double>> metrics{};  ///< further figures; each name includes the unit
     std::optional<std::string> hash{};                      ///< hash of the computed result, in hexadecimal
     std::string fault{};  ///< reason why the row cannot be trusted (invariants.h); empty: none
@@ -55,7 +56,7 @@ struct Report {
     std::string version;
     Machine machine;
     std::vector<Row> rows{};
-    std::vector<std::string> faults{};  ///< faults found, one line each
+    std::vector<std::string> faults{};  ///< faults found by the benchmarks, one line each
 };
 
 /// A report without rows, with the version of this program and this machine.

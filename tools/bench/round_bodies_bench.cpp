@@ -42,7 +42,7 @@ struct Slide {
     double worst{};  ///< largest error of the force (N)
     /// Largest change of the force per tick, in the tip's frame, during steady sliding (N).
     double chatter{};
-    int lost{};  ///< number of ticks without force
+    int lost{};  ///< number of ticks in which the contact gave no force
 };
 
 void add(SurfacePatch& patch, SurfaceKind kind, vec3 centre, vec3 size) {
@@ -59,7 +59,8 @@ void add_body(SurfacePatch& patch, double friction) {
         .stiffness = surface_stiffness, .static_friction = friction, .dynamic_friction = friction};
 }
 
-/// Adds as many round bodies as fit into the patch, around the sphere that is touched.
+/// Adds as many round bodies as fit into the patch (the list of surfaces near the hand), around the sphere
+/// that is touched.
 void add_crowd(SurfacePatch& patch, double friction) {
     constexpr std::array kinds{SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder};
     while (patch.count < haptics::surface_capacity) {
@@ -128,7 +129,8 @@ vec3 tip_at(int tick) {
                      : on_circle(in, speed * tick_seconds / body_radius * tick);
 }
 
-/// Compares the forces with the closed form once the proxy slides.
+/// Compares the forces with the closed form once the proxy, the point that follows the tip on the surface,
+/// slides.
 void judge(Slide& run) {
     const SurfacePatch patch = patch_of(run);
     const double felt = run.friction * (run.ground == Ground::groove ? groove_radius : 1);

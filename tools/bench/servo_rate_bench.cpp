@@ -26,7 +26,7 @@ constexpr std::array rates_ms{0.2, 0.5, 1.0};
 /// A device that rests on a wall at the origin, which the haptic mode `isosurface` renders.
 struct WallRun {
     double dt{};         ///< time step (s)
-    double stiffness{};  ///< stiffness between tip and proxy (N/m)
+    double stiffness{};  ///< stiffness between tip and proxy, the point held on the surface (N/m)
     haptics::HalfSpace ground{.place = {}, .normal = {0, 1, 0}};
 
     /// Largest speed in the second and in the last quarter of the simulated time (m/s).

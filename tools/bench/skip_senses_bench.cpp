@@ -31,11 +31,11 @@ struct SkippedSound {
     audio::AudioFrame frame{};
     std::array<float, audio::block_values> block{};
 
-    /// The work that is done on the match's thread.
+    /// The work for sound that is done on the match's thread.
     void follow(const game::Simulation& match) {
         if (scene) scene->take(match, both, frame);
     }
-    /// The work that is done on the loudspeakers' thread.
+    /// The work for sound that is done on the loudspeakers' thread.
     void mix() {
         if (mixer) mixer->play(frame, block);
     }
@@ -79,7 +79,7 @@ struct SenseTimes {
     std::vector<double> sound_us{}, mixing_us{}, jacket_us{};
 };
 
-/// Measures `frames` frames of eight ticks; `run` plays those ticks.
+/// Measures the senses in `frames` frames of eight ticks; `run` plays those ticks.
 SenseTimes measure_senses(const game::Simulation& match, std::size_t frames, SkippedSound& hearing,
                           SkippedJacket& jacket, const std::function<void()>& run) {
     std::vector<double> ticks_us;
@@ -94,7 +94,7 @@ SenseTimes measure_senses(const game::Simulation& match, std::size_t frames, Ski
     return out;
 }
 
-/// Time that a measurement gives for no work at all (us).
+/// Time that a measurement gives for no work at all (us), to be subtracted from the times of work.
 double us_of_nothing() {
     std::vector<double> samples(2000);
     for (auto& sample : samples) sample = us_of([] {});
@@ -161,7 +161,7 @@ void skip_senses(const Options& options, Report& report) {
         }
         SkippedJacket jacket(*loaded->data, effects, loaded->jacket);
         jacket.set_used(c.present);
-        measure_senses(c.match, 200, hearing, jacket, c.run);  // runs until all memory is allocated
+        measure_senses(c.match, 200, hearing, jacket, c.run);  // warm-up, which allocates memory
         const auto measured = measure_senses(c.match, frames, hearing, jacket, c.run);
         if (tick_us == 0) tick_us = measured.tick_us;
         add_row("sound", c.state, usual_mean(measured.sound_us) - empty, tick_us, report);

@@ -90,7 +90,8 @@ struct Course {
     std::filesystem::path assets{};
     int level{};
     Tick ticks{};
-    const char* name = nullptr;  ///< name in the progress lines; null: no lines
+    const char* name = nullptr;  ///< name of this run in the progress lines on the screen; null: no such
+                                 ///< lines
     /// Sounds and effects; null: no sound and tactile output.
     std::shared_ptr<const game::SenseData> senses{};
 };
@@ -98,7 +99,7 @@ struct Course {
 struct Soaked {
     std::uint64_t hash = 0;  ///< hash of the states at every hash_every-th tick
     std::uint64_t matches = 0, kills = 0;
-    /// Number of voices that began, and largest number of captions at a time.
+    /// Number of voices (playing sounds) that began, and largest number of captions at a time.
     std::uint64_t voices = 0, lines = 0;
     /// Memory in use after a tenth of the ticks, and largest memory in use after that (MiB).
     double first_mib = 0, max_mib = 0;
@@ -121,7 +122,8 @@ void look_at_memory(const Course& course, Tick tick, Soaked& soaked) {
     }
 }
 
-/// Computes sound and tactile output of the tick; does nothing if `senses` is null.
+/// Computes sound and tactile output of the tick; does nothing if `senses` is null. Notes the largest
+/// numbers.
 void follow(const game::Simulation& match, game::Senses* senses, Soaked& soaked) {
     if (senses == nullptr) return;
     senses->follow(match);
@@ -131,7 +133,7 @@ void follow(const game::Simulation& match, game::Senses* senses, Soaked& soaked)
     soaked.fault = disorder(*senses);
 }
 
-/// Begins the next match, or returns a fault.
+/// Begins the next match of the run; returns a text if that fails.
 std::string begin_match(const Course& course, Soaked& soaked, std::optional<game::BotDuel>& duel,
                         std::unique_ptr<game::Senses>& senses) {
     duel.reset();

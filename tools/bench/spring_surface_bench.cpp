@@ -25,11 +25,13 @@ struct Wave {
     std::uint32_t p, q;
 };
 
-/// One wave along the sides and one along the diagonals, with almost the same wavelength.
+/// One wave along the sides and one along the diagonals, with almost the same wavelength. Ripples are round
+/// if the speeds of both are equal.
 constexpr std::array round_waves{Wave{7, 0}, Wave{5, 5}};
 constexpr std::array one_wave{Wave{3, 2}};
 
-/// Height of a wave's mode at a node, at most 1. The numbers of the wave count as in mode_frequency().
+/// Height of a standing wave at a node of the grid, at most 1. The numbers of the wave count as in
+/// mode_frequency().
 double wave_shape(const SpringSurfaceSettings& s, Wave wave, std::size_t x, std::size_t z) {
     const auto X = static_cast<double>(x), Z = static_cast<double>(z);
     if (s.rim == fluid::Rim::pinned)
@@ -59,7 +61,7 @@ double membrane_frequency(const SpringSurfaceSettings& s, Wave wave) {
     return pi / side * std::sqrt(s.tension / s.areal_mass * (wave.p * wave.p + wave.q * wave.q));
 }
 
-/// Result of simulating waves for a second.
+/// Result of simulating waves on the surface for a second.
 struct WaveRun {
     SpringSurfaceSettings settings{};
     double dt{};  ///< time by which one call advances the surface (s)

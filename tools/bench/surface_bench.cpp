@@ -20,8 +20,8 @@ using haptics::SurfaceKind;
 using haptics::SurfacePatch;
 using haptics::SurfaceState;
 
-constexpr double stiffness = 500;  // stiffness of the surface (N/m)
-constexpr double depth = 0.005;    // depth of the tip (m)
+constexpr double stiffness = 500;  // stiffness of the touched surface (N/m)
+constexpr double depth = 0.005;    // depth of the tip below the surface (m)
 
 SurfacePatch patch_of(SurfaceKind kind, vec3 a, vec3 b) {
     SurfacePatch patch;
@@ -90,7 +90,8 @@ struct MeshRun {
     double friction{};
     SurfaceState state{};
     double max_surfaces{};
-    double worst{};  // largest distance of the proxy from the sphere, beyond that of the flat triangles (m)
+    double worst{};  // largest distance of the proxy (point on the surface) from the sphere, beyond that of
+                     // the flat triangles (m)
 };
 
 constexpr int mesh_ticks = 4000;
@@ -158,7 +159,7 @@ void add_crates(physics::Physics& world, std::int64_t count) {
 
 struct CrowdRun {
     std::int64_t bodies{};
-    bool steps{};  // true: run servo steps, too; false: only the look-up, along the same path
+    bool steps{};  // true: compute forces (servo steps), too; false: only the look-up, along the same path
     physics::Physics world{};
     haptics::ServoState state{};
     double pressed{};  // mean force (N)

@@ -57,7 +57,7 @@ EffectBank lasting_effects() {
     return bank;
 }
 
-/// A mixer with as many effects as it can play, all of one pattern, or of all patterns in turn.
+/// A mixer that plays as many effects as it can at a time, all of one pattern, or of all patterns in turn.
 struct MixRun {
     std::string pattern;
     std::unique_ptr<TactileMixer> mixer;

@@ -38,7 +38,7 @@ constexpr double hand_rate = 2;     // frequency of the hand (Hz)
 
 double hand_at(double t) { return hand_swing * std::sin(2 * pi * hand_rate * t); }
 
-/// Position and velocity of the object at each step.
+/// Position and velocity of the object that the hand holds, at each step.
 struct Held {
     std::vector<double> place, speed;
 };
@@ -124,8 +124,9 @@ constexpr double rope_seconds = 60;
 const vec3 let_go_at{6, -4.2, 0};
 
 struct Swung {
-    double energy_drift{};  ///< drift of the energy, as a share of the swing's energy
-    double period{};        ///< mean period over the run (s)
+    double energy_drift{};  ///< drift of the wizard's energy during the swing, as a share of the swing's
+                            ///< energy
+    double period{};        ///< mean period of the swing over the run (s)
     std::uint64_t hash{};
 };
 

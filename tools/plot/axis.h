@@ -10,8 +10,8 @@ namespace thaum::plot {
 /// logarithmic axis; they are drawn in a margin before the low end.
 struct LogAxis {
     double low{}, high{};        ///< decimal logarithms of the ends, low < high
-    double low_px{}, high_px{};  ///< pixels of the ends; low_px may be the larger
-    double zero_px{};            ///< pixel of values <= 0
+    double low_px{}, high_px{};  ///< pixels at which the axis ends; low_px may be the larger
+    double zero_px{};            ///< pixel at which values <= 0 are drawn
     bool has_zero{};
 
     /// Pixel of a value, which must be finite.

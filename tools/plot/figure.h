@@ -12,9 +12,9 @@ namespace thaum::plot {
 struct Point {
     double time_us{};
     double error{};
-    std::string label;     ///< numbers in the row's setting that differ within the figure
+    std::string label;     ///< those numbers in the row's setting that differ within the figure, as text
     std::string tooltip;   ///< the whole setting, time and error
-    std::size_t series{};  ///< index in FrontFigure::series
+    std::size_t series{};  ///< index of the point's series in FrontFigure::series
     bool front{};
     bool is_default{};
 };
@@ -23,22 +23,22 @@ struct Point {
 struct FrontFigure {
     std::string title;
     std::string error_name;
-    /// Names of the series, made of those settings that are words, not numbers; one empty name if there are
-    /// too many series.
+    /// Names of the series. A series has the rows with equal settings, as far as these are words and not
+    /// numbers. One empty name if there are too many series.
     std::vector<std::string> series;
     std::vector<Point> points;  ///< points of the figure, sorted by time
 };
 
 struct Bar {
     std::string label;
-    double ratio{};  ///< ratio of the row, above 0
+    double ratio{};  ///< ratio in the row, above 0
 };
 
 /// Bars for one metric `ratio_to_...` of one area (group of benchmarks).
 struct RatioFigure {
     std::string title;
     std::vector<Bar> bars;
-    std::size_t left_out{};  ///< number of bars that did not fit
+    std::size_t left_out{};  ///< number of bars for which the figure has no room
 };
 
 inline constexpr std::size_t max_series = 6;
@@ -51,7 +51,7 @@ std::string setting_text(const bench::Row&);
 /// left out.
 std::vector<FrontFigure> front_figures(std::span<const bench::Row* const> rows);
 
-/// Figures for the rows of one area (group of benchmarks) that have no error.
+/// Figures with bars for the rows of one area (group of benchmarks) that have no error.
 std::vector<RatioFigure> ratio_figures(std::span<const bench::Row* const> rows);
 
 }  // namespace thaum::plot

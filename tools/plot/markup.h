@@ -12,7 +12,7 @@ std::string escaped(std::string_view utf8);
 /// Text of at most `letters` code points; cut text ends with an ellipsis.
 std::string cut(std::string_view utf8, std::size_t letters);
 
-/// Number of code points.
+/// Number of code points in a text.
 std::size_t letters_of(std::string_view utf8);
 
 /// Coordinate in pixels, rounded to 0.01.

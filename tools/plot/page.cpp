@@ -107,7 +107,7 @@ std::string mark_of(const Row& row) {
     return row.front ? "front" : row.is_default ? "default" : "";
 }
 
-/// Value of the item with a name, or an empty cell.
+/// Cell with the value of the setting or metric of this name; an empty cell if the row has none.
 template <class Items, class Show>
 Cell found(const Items& items, const std::string& name, const Show& show) {
     const auto at = std::ranges::find(items, name, [](const auto& item) { return item.first; });

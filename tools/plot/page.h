@@ -17,8 +17,8 @@ struct SvgFile {
 struct Page {
     std::string html;
     std::vector<SvgFile> figures;
-    /// Number of cases and areas (groups of benchmarks) that got no figure because the page already has
-    /// max_figures. They are still in the tables.
+    /// Number of cases and areas (groups of benchmarks) that got no figure because the page already has as
+    /// many as it may have (max_figures). They are still in the tables.
     std::size_t not_drawn{};
 };
 

@@ -13,7 +13,7 @@
 namespace thaum::plot {
 namespace {
 
-constexpr double letter_px = 6.6;  ///< width of a letter in the labels, estimated generously
+constexpr double letter_px = 6.6;  ///< estimated width of a letter in the labels, rather too large (px)
 constexpr double line_px = 15;
 constexpr double legend_line_px = 20;
 constexpr double mark_px = 5;

@@ -12,7 +12,7 @@ namespace thaum::audio::detail {
 /// runs out.
 std::size_t blocks_to_queue(double period);
 
-/// Blocks of samples queued at one source. All functions act on the context that is current.
+/// Blocks of samples queued at one source. All functions act on the current context of OpenAL.
 class BlockStream {
 public:
     static constexpr std::size_t min_queued = 2, max_queued = 24;

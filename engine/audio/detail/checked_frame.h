@@ -23,12 +23,12 @@ struct SoundFacts {
 std::vector<SoundFacts> facts_of(const SoundBank& bank, std::uint64_t& bad_values);
 
 /// Clips the values of a voice and counts those that were wrong. Returns false if the voice must be left out:
-/// its sound does not exist, it loops although the voice plays only once, it does not loop although the voice
-/// lasts, or its position is NaN.
+/// its sound does not exist, the sound loops although the voice plays only once, the sound does not loop
+/// although the voice lasts, or the voice's position is NaN.
 bool check_voice(Voice& voice, bool lasting, std::span<const SoundFacts> sounds, std::uint64_t& bad_values);
 
-/// Makes the axes orthogonal unit vectors. Instead of a listener with invalid values, returns `before`, the
-/// same listener in the last frame.
+/// Makes the axes of a listener (forward and up) orthogonal unit vectors. Instead of a listener with invalid
+/// values, returns `before`, the same listener in the last frame.
 Listener checked_listener(const Listener& listener, const Listener& before, std::uint64_t& bad_values);
 
 /// Clips the settings to what the mixer can use.

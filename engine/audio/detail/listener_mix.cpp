@@ -5,16 +5,17 @@
 namespace thaum::audio::detail {
 namespace {
 
-/// Least gain of a voice that gets a source: -100 dB.
+/// Least gain of a voice that is played by a source of OpenAL: -100 dB.
 constexpr double min_gain = 1e-5;
-/// Factor on the gain of a voice that already plays: a new voice must be louder by this to take its source.
+/// A new voice must be louder by this factor to take the source of OpenAL from a voice that already plays, so
+/// that two about equally loud voices do not take turns.
 constexpr double keep_factor = 1.1;
-/// Largest change of the damping in one block, so a change from none to all takes 0.4 s. When the gain of the
-/// filter changes, its output jumps for some samples by the same share of the signal; a jump of 2 % cannot be
-/// heard as a click.
+/// Largest change in one block of 8 ms of the damping of high tones, as behind walls; a change from none to
+/// all takes 0.4 s. When the gain of the filter changes, its output jumps for some samples by the same share
+/// of the signal; a jump of 2 % cannot be heard as a click.
 constexpr double max_muffle_change = 0.02;
-/// Offset between the starting samples of loops with neighbouring keys, so that equal sounds do not add up
-/// wave by wave.
+/// Looping voices whose keys (the numbers that identify them) are neighbours start this many samples apart,
+/// so that equal sounds do not add up wave by wave.
 constexpr std::uint64_t samples_between_keys = 7919;
 
 fvec3 place_of(const Voice& voice, const Listener& listener) {

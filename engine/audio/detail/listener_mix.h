@@ -25,8 +25,8 @@ public:
     /// this object.
     ListenerMix(std::unique_ptr<Loopback> device, std::span<const SoundFacts> sounds, std::uint32_t index);
 
-    /// Renders one block. `clock` is the number of samples since the mixer was made;
-    /// `faders` holds the gain of each group.
+    /// Renders one block. `clock` is the number of samples since the mixer was made; `faders` holds the gain
+    /// of each group of sounds, such as music.
     void block(const Listener& listener, BlockVoices voices, const std::array<double, sound_groups>& faders,
                std::uint64_t clock, MixReport& report, std::span<float> stereo);
     /// True if a block without voices would be silent.

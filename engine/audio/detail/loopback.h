@@ -34,8 +34,8 @@ public:
     /// Renders frame_samples samples (8 ms) for two channels.
     void render(std::span<float> stereo);
 
-    // In the functions below, `source` is an index into the pool. Each call must be made while a scope from
-    // `enter` exists.
+    // In the functions below, `source` is an index into the pool. Each call must be made while a scope
+    // returned by `enter` exists, which makes the OpenAL context current.
     ContextScope enter() const { return {al_, context_}; }
     /// Returns a free source, with the buffer of the sound attached.
     std::uint32_t take(std::uint32_t sound);

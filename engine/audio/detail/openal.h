@@ -23,7 +23,7 @@ struct OpenAl {
 /// periods, unless the user has chosen.
 Expected<OpenAl> find_openal();
 
-/// Makes a context current for this thread; the destructor makes the former one current again.
+/// Makes a context of OpenAL current for this thread; the destructor makes the former one current again.
 class ContextScope {
 public:
     ContextScope(const OpenAl& al, ALCcontext* context) : al_(al), before_(al.thread_context()) {

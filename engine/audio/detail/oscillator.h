@@ -22,7 +22,8 @@ double hz_of_key(double key);
 
 inline constexpr std::size_t sine_table_size = 4096;
 
-/// Sine at each of sine_table_size places of a period, and at the two places after it.
+/// Sine at each of sine_table_size places of a period, and at the two places after it, which interpolation
+/// needs.
 using SineTable = std::array<double, sine_table_size + 2>;
 const SineTable& sine_table();
 
@@ -50,10 +51,10 @@ inline double gain_at(const Envelope& envelope, double decay, double time) {
     return steady_gain_at(envelope, time) * fall_at(envelope, decay, time);
 }
 
-/// Time after which an envelope's gain is below -80 dB (s).
+/// Time after which the gain of an envelope with this decay is below -80 dB (s).
 double length_of(const Envelope& envelope, double decay);
 
-/// Frequency at `time` after the start of the part (Hz).
+/// Frequency of a pitch at `time` after the start of its part, a layer of a sound (Hz).
 double hz_at(const Pitch& pitch, double time);
 
 /// The samples of a sound while its parts are added. In a looping sound, the

@@ -12,7 +12,7 @@ constexpr double sample_s = 1.0 / sample_rate;
 constexpr double noise_rms = 0.35;     // root mean square of a noise with level 1
 constexpr double highest_hz = 20'000;  // limit that keeps vibrato below half the sample rate
 
-/// Place of a part on the time axis of its sound (samples).
+/// Place of a part, a layer of a sound, on the time axis of the sound (samples).
 struct Span {
     std::size_t start{}, count{};
     bool lasting{};  ///< true: the part lasts as long as the whole loop
@@ -42,7 +42,7 @@ Pitch fitted(Pitch pitch, const Canvas& canvas, const Span& span) {
     return pitch;
 }
 
-/// Frequency of each block of a part (Hz).
+/// Frequency of a part, a layer of a sound, in each block of samples (Hz).
 std::vector<double> frequencies_of(const Pitch& pitch, std::size_t count) {
     std::vector<double> result;
     for (std::size_t i = 0; i < count; i += control_samples) {
@@ -52,7 +52,7 @@ std::vector<double> frequencies_of(const Pitch& pitch, std::size_t count) {
     return result;
 }
 
-/// Samples of one block of a part.
+/// The samples of a part, a layer of a sound, between two computations of its gain.
 struct Block {
     std::size_t first{}, count{};
     double gain{}, step{};  ///< gain of the first sample, and its change from sample to sample
@@ -158,7 +158,7 @@ private:
     Stage first_, second_;
 };
 
-/// Adds one decaying sine wave.
+/// Adds one grain, a short decaying sine wave, to the samples of a sound.
 void add_grain(Canvas& canvas, const Grains& grains, std::size_t start, double level, double hz) {
     const auto count = static_cast<std::size_t>(grains.ring * (4.0 / 3) * sample_rate);
     const double fall = det::exp(det::log(1e-3) / (grains.ring * sample_rate));
@@ -195,7 +195,7 @@ void add_noise(Canvas& canvas, const Noise& noise, Random random) {
     NoiseShaper shaper(noise.filter, noise.sharpness);
     if (span.lasting) {
         // The same noise runs through the filter twice, so that the filter begins the second run in the state
-        // in which it ends.
+        // in which it ends it, and the loop has no seam.
         Random before = random;
         for (std::size_t i = 0; i < span.count; ++i) {
             shaper.tune(frequencies[i / control_samples]);

@@ -13,7 +13,7 @@ namespace thaum::detail {
 enum class FaultKind : std::uint8_t {
     value,    ///< a value of a wrong kind, out of its range, or none of the allowed words
     missing,  ///< a key or a table that is not there
-    told      ///< a fault in the reader's own words, such as two values that contradict each other
+    told      ///< a fault that the reader found and worded, such as two values that contradict each other
 };
 
 struct ConfigFault {
@@ -34,7 +34,7 @@ struct UnknownKey {
     std::size_t line{};
 };
 
-/// Keys that readers asked for, by table.
+/// For each table, by its address, the keys that readers asked for.
 using AskedKeys = std::map<const void*, std::set<std::string, std::less<>>>;
 
 /// All messages about a file, in the most helpful order. An unknown key comes before the missing key that was

@@ -105,7 +105,7 @@ bool begins_other_comment(std::string_view words) {
 constexpr std::string_view comment_words = "a comment begins with '#'";
 constexpr std::string_view list_words = "a list is [1, 2, 3], with commas between its values";
 
-/// Hint for a character that looks like one of TOML's characters but is another.
+/// Advice on mending a character that looks like one of TOML's characters but is another.
 std::string hint_of_characters(std::string_view line) {
     const auto words = bare(line);
     if (const auto found = invisible_character(words); !found.empty())
@@ -122,7 +122,7 @@ std::string hint_of_characters(std::string_view line) {
     return "";
 }
 
-/// Hint about the text that follows a number at the beginning of a value.
+/// Advice on mending the text that follows a number at the beginning of a value.
 std::string hint_after_number(std::string_view number, std::string_view remaining) {
     if (remaining.find('=') != remaining.npos) return "a line has one KEY = VALUE";
     if (begins_other_comment(remaining)) return std::string(comment_words);
@@ -145,7 +145,7 @@ bool is_exponent(std::string_view word) {
     return !number.empty() && digits_of(number) == number.size() && is_digit(number.back());
 }
 
-/// Hint for a word that begins like a number but is none.
+/// Advice on mending a word that begins like a number but is none.
 std::string hint_of_number(std::string_view word) {
     if (begins_with_one_of(word, {"0x", "0X"})) return "a hexadecimal number is 0x and digits 0-9, a-f";
     if (begins_with_one_of(word, {"--", "++", "+-", "-+"})) return "a number has one sign";
@@ -167,7 +167,7 @@ std::string hint_of_number(std::string_view word) {
     return text("a number has no unit: write ", shown(word.substr(0, end)));
 }
 
-/// Hint for a value that begins with a digit, a sign or a point.
+/// Advice on mending a value that begins with a digit, a sign or a point.
 std::string hint_of_numbers(std::string_view value) {
     if (const auto number = with_point(value); !number.empty()) {
         const auto comma = value.find(',');
@@ -186,7 +186,7 @@ std::string hint_of_numbers(std::string_view value) {
                                                     : hint_after_number(number, remaining);
 }
 
-/// Hint for a value that begins with a quote.
+/// Advice on mending a value that begins with a quote.
 std::string hint_of_text(std::string_view value, std::string_view parsers_words) {
     const auto end = value.find(value[0], 1);
     if (end == value.npos) return "a quote is not closed";
@@ -212,7 +212,7 @@ std::string hint_of_list(std::string_view value) {
     return std::string(list_words);
 }
 
-/// Hint for a value that begins with a letter.
+/// Advice on mending a value that begins with a letter.
 std::string hint_of_word(std::string_view value) {
     if (is_one_of(value, {"true", "false", "yes", "no", "on", "off", "ture", "flase", "fasle", "treu"}))
         return "write true or false";
@@ -237,7 +237,7 @@ std::string hint_of_value(std::string_view value, std::string_view parsers_words
     return is_letter(value[0]) ? hint_of_word(value) : "";
 }
 
-/// Hint for a line without '='.
+/// Advice on mending a line without '='.
 std::string hint_without_equals(std::string_view words) {
     const auto colon = words.find(':');
     const auto blank = words.find_first_of(blanks);
@@ -264,7 +264,7 @@ std::string hint_of_key(std::string_view key) {
     return std::ranges::all_of(key, is_plain) ? "" : "a key has only letters a-z, digits, '_' and '-'";
 }
 
-/// Hint that can be found from one line alone, whatever the lines before it.
+/// Advice on mending a line, if its fault can be seen without the lines before it; else empty.
 std::string hint_of_line(std::string_view line, std::string_view parsers_words) {
     if (line.find('\r') < line.size() - 1) return "end lines with a line feed";
     if (begins_with_one_of(line, {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}))
@@ -296,7 +296,7 @@ void for_lines_before(std::string_view source, std::size_t end, Act act) {
     }
 }
 
-/// First line of a list that is still open before the line `end`; 0: none.
+/// Number of the line in which a list begins whose bracket is not closed before the line `end`; 0: none.
 std::size_t open_list_before(std::string_view source, std::size_t end) {
     std::ptrdiff_t open = 0;
     std::size_t first = 0;
@@ -327,7 +327,8 @@ std::string_view key_of(std::string_view line) {
     return equals == words.npos ? std::string_view() : trimmed(words.substr(0, equals));
 }
 
-/// Hint for a table or key that is defined twice. The words are empty if the first definition is not found.
+/// Advice on mending a table or key that is defined twice. The words are empty if the first definition is not
+/// found.
 TomlSlip second_of_name(std::string_view source, std::size_t line) {
     const auto here = trimmed(line_of(source, line));
     const auto name = table_name(here), key = key_of(here);

@@ -13,7 +13,7 @@ namespace thaum::detail {
 /// such as a.a.a... nests one table per dot.
 inline constexpr std::size_t max_dots = 200;
 
-/// Number of the first line with too many dots, counted from 1; 0 if there is none.
+/// Number of the first line with more than max_dots dots, counted from 1; 0 if there is none.
 std::size_t overdotted_line(std::string_view source);
 
 /// The place and a description of a fault in a text that is not TOML.

@@ -23,8 +23,8 @@ struct ParserAsserted {};  ///< Thrown when an assertion of the parser fails.
 #if !defined(__clang__)  // clang lacks the warning that is turned off here
 #pragma GCC diagnostic ignored "-Wterminate"
 #endif
-// The white-space and letter tables of toml++ mark a letter such as U+00E9 in place of white space as
-// unreachable, which is undefined behaviour. The correct answer there is false.
+// The functions of toml++ that test whether a character is white space mark the case of a letter such as
+// U+00E9 as unreachable, which is undefined behaviour. Here they return false instead: it is no white space.
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false

@@ -68,7 +68,7 @@ double cell_weight(const Stamp& stamp, std::array<int, 3> cell) {
     return static_cast<double>(stamp.weight[static_cast<std::size_t>(at)]);
 }
 
-/// Weight of a stamp: trilinear between the centres of the cells, 0 beyond them.
+/// Weight at a place in a stamp (a body of cells): trilinear between the centres of the cells, 0 beyond them.
 double stamp_weight(const Footprint& f, vec3 local) {
     const Stamp& stamp = *f.stamp;
     const vec3 cells(stamp.cells[0], stamp.cells[1], stamp.cells[2]);
@@ -87,7 +87,8 @@ double stamp_weight(const Footprint& f, vec3 local) {
 
 using BrickAxis = std::array<double, brick_size>;
 
-/// Distances from the shape's centre along each axis, one for each row of voxels of a part; 0 beyond it.
+/// Coordinates of the voxels of a part along each axis, from the shape's centre; 0 beyond the end of the
+/// part.
 std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part) {
     std::array<BrickAxis, 3> axes{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -98,7 +99,7 @@ std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part) {
     return axes;
 }
 
-/// Sets the weight of each voxel of a part to weight(x, y, z), where x, y and z are the voxel's values in
+/// Sets the weight of each voxel of a part to weight(x, y, z), where x, y and z are its coordinates in
 /// `axes`. Returns the number of weights.
 template <class Weight>
 std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, PartWeights& weights,

@@ -21,18 +21,19 @@ struct Footprint {
     ExtentShape shape{};
     const Stamp* stamp{};
     vec3 centre{};   ///< centre, counted in voxels from the first voxel
-    vec3 step{1};    ///< distance between voxels, in the extent's unit
-    vec3 half{};     ///< half edges along the tool's axes, in the extent's unit
-    double rim{};    ///< width over which the weight falls from 1 to 0, in the extent's unit
+    vec3 step{1};    ///< distance between voxels (voxels or m, as the extent says)
+    vec3 half{};     ///< half edges along the tool's axes (voxels or m)
+    double rim{};    ///< width over which the weight falls from 1 to 0 (voxels or m)
     mat3 turn{1.0};  ///< rotation from the tool's frame to the body's
 };
 
-/// Places an extent in a body. The footprint has no voxels if `place` is outside the body or if a number is
-/// not finite.
+/// Places an extent (the region in which a tool acts) in a body. The footprint has no voxels if `place` is
+/// outside the body or if a number is not finite.
 Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, const mat3& turn);
 
-/// Like footprint_of, for a plate that reaches along the motion to `place`. Its z axis lies along the motion,
-/// its y axis as near to the tool's y axis as that allows. Without motion it is a box.
+/// Like footprint_of, for a plate: a thin box for cuts, which reaches along the motion to `place`. Its z axis
+/// lies along the motion, its y axis as near to the tool's y axis as that allows. Without motion it is like
+/// any box.
 Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3 motion, const mat3& turn);
 
 /// A number for each voxel of a part of at most 8 x 8 x 8 voxels, x fastest. Each row has 8 numbers; those

@@ -14,8 +14,8 @@ namespace thaum::field {
 /// Longest header that is read (bytes). Key/value pairs of segmentations take hundreds of kilobytes.
 inline constexpr std::size_t longest_header = std::size_t{4} << 20U;
 
-/// Name of the only key/value pair that is read, which tells the files of one saved body; NrrdFields gives
-/// its value as that of a field.
+/// Name of the only key/value pair that is read: files with the same value belong to one saved body.
+/// NrrdFields treats the pair like a field of the header.
 inline constexpr std::string_view key_of_save = "thaum save";
 
 /// Fields of a header by name. Keeps the first fault, so that a reader can ask for all values as if the

@@ -138,8 +138,8 @@ std::string kinds_with(std::string_view kind, std::size_t at, std::size_t axes) 
     return line + "'";
 }
 
-/// Takes an axis whose kind the header does not give for one of components. Three or four bytes are a colour,
-/// because bytes have no sign, which parts of a vector need.
+/// Treats an axis as that of a sample's components, though the header does not give its kind. Three or four
+/// bytes are a colour, because bytes have no sign, which parts of a vector need.
 void take_unknown_axis(NrrdFields& fields, std::size_t at, Axes& axes, NrrdHeader& header) {
     auto& axis = axes.all[at];
     axis.role = Role::component;

@@ -38,7 +38,7 @@ struct FileOfSamples {
     std::size_t samples{};  ///< number of samples that the header promises
 };
 
-/// Number of bytes from which another encoding is recognised.
+/// Number of bytes at the start of the samples by which another encoding is recognised.
 constexpr std::size_t start_bytes = 256;
 /// Number of bytes that are read at once. So the bytes and the floats that they become stay in the cache.
 constexpr std::size_t piece_bytes = std::size_t{1} << 17U;
@@ -57,7 +57,7 @@ Expected<std::size_t> after_lines(FileReader& file, std::size_t position, std::s
     return position;
 }
 
-/// Goes on to `begin` and reads the first bytes there.
+/// Notes that the samples begin at this position of the file, and reads the first bytes there.
 Expected<void> begin_at(FileOfSamples& samples, std::size_t begin) {
     FileReader& file = *samples.file;
     samples.begin = std::min(begin, file.size());
@@ -181,8 +181,8 @@ void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// Reads `count` bytes in pieces by read(span), which returns how many it has read, and passes them to the
-/// decoder; null: they are skipped. Returns how many there were.
+/// Reads `count` bytes in pieces by read(span), which returns how many it has read. Passes them to the
+/// decoder, or skips them if it is null. Returns how many there were.
 template <class Read>
 Expected<std::size_t> pass_on(std::size_t count, SampleDecoder* decoder, Read read) {
     Bytes piece(std::min(count, piece_bytes));
@@ -229,7 +229,7 @@ Expected<std::size_t> bytes_before(const NrrdHeader& header, const FileOfSamples
     return *all - promised;
 }
 
-/// Refuses bytes that are no gzip data, and a promise that they cannot keep.
+/// Refuses bytes that are no gzip data, or are too few for the samples that the header promises.
 Expected<void> check_packed(const NrrdHeader& header, const FileOfSamples& file, std::size_t promised) {
     if (!characters_of(file.start).starts_with("\x1f\x8b")) {
         if (const auto other = other_encoding(header, file); !other.empty())
@@ -295,7 +295,7 @@ double whole_number(double value, SampleType type) {
 
 constexpr std::string_view between_numbers = " \t\r\n,";
 
-/// The number of a word of a text. NaN is a number, too.
+/// Reads a word of a text as a number, which may also be NaN.
 Expected<double> value_of(const FileOfSamples& file, std::string_view word, std::size_t place) {
     const double value = number_of(word);
     if (!std::isnan(value) || in_lower_case(word).find("nan") != std::string::npos) return value;

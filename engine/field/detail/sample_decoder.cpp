@@ -27,7 +27,7 @@ T read_sample(const std::byte* from, bool big_endian) {
 template <class T>
 constexpr bool may_round = sizeof(T) > sizeof(float) || (sizeof(T) == 4 && std::integral<T>);
 
-/// The largest number type of T's kind.
+/// The widest number type of T's kind: floating point, or integers with or without a sign.
 template <class T>
 using Widest = std::conditional_t<std::floating_point<T>, double,
                                   std::conditional_t<std::signed_integral<T>, std::int64_t, std::uint64_t>>;

@@ -16,8 +16,8 @@
 
 namespace thaum::field {
 
-/// Positions of a volume's samples in a file, counted in samples. In the file, the samples along one axis lie
-/// between two neighbours along the next axis: those of different axes are not interleaved.
+/// Positions of a volume's samples in a file, counted in samples. The axes are nested: between two neighbours
+/// along one axis lie all samples of the axes that run faster.
 struct StoredOrder {
     std::ptrdiff_t first{};  ///< index of component 0 of sample (0, 0, 0)
     /// Distance in the file to the next sample along each axis of the volume; negative if the file runs the
@@ -38,7 +38,8 @@ enum class ByteOrder : std::uint8_t {
     wrong,
 };
 
-/// Records which samples change when they are rounded to float. T is the largest number type of its kind.
+/// Finds out what is lost when samples are rounded to float. T is the widest number type of the samples'
+/// kind: double, or integers of 64 bits with or without a sign.
 template <class T>
 class RoundingWatch {
 public:
@@ -88,11 +89,11 @@ public:
     SampleDecoder(SampleType type, bool big_endian, const StoredOrder& order, std::size_t stored,
                   Volume& volume);
 
-    /// Takes the next samples of the file, all of them whole.
+    /// Takes the next bytes of the file, which hold whole samples.
     void take(std::span<const std::byte> bytes);
-    /// Judges samples from the whole file that was taken.
+    /// Judges by samples from the whole file whether it was read in the right byte order.
     ByteOrder byte_order() const;
-    /// Sets volume.rounding after the last sample.
+    /// After the last sample, records in volume.rounding what rounding to float has changed.
     void finish();
 
 private:
@@ -100,7 +101,7 @@ private:
     struct Axis {
         std::ptrdiff_t count{1};
         std::ptrdiff_t stride{1};  ///< distance in the file, > 0 (samples)
-        std::ptrdiff_t step{1};    ///< distance in Volume::samples
+        std::ptrdiff_t step{1};    ///< distance in Volume::samples (floats)
     };
 
     void join_axes();
@@ -113,9 +114,9 @@ private:
     SampleType type_;
     bool big_endian_;
     std::ptrdiff_t size_;         ///< size of a sample in the file (bytes)
-    std::array<Axis, 4> axes_{};  ///< from the fastest one in the file to the slowest
+    std::array<Axis, 4> axes_{};  ///< axes from the fastest one in the file to the slowest
     std::size_t axis_count_ = 0;
-    std::array<std::ptrdiff_t, 4> at_{};  ///< place of the next sample along each axis
+    std::array<std::ptrdiff_t, 4> at_{};  ///< index of the next sample along each axis
     std::ptrdiff_t from_ = 0, to_ = 0;    ///< index of the next sample in the file, and in the volume
     std::ptrdiff_t position_ = 0;         ///< number of samples that were taken
     bool has_all_ = false;

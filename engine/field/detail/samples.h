@@ -34,7 +34,7 @@ std::size_t size_of(SampleType type);
 
 /// Name of a type in our files: "int8", "uint8", "int16" to "uint64", "float", "double".
 std::string_view name_of(SampleType type);
-/// Smallest and largest number of a type.
+/// Smallest and largest number that a type of samples can hold.
 std::pair<double, double> limits_of(SampleType type);
 std::span<const std::string_view> sample_type_names();  ///< Names of all types, in the order of SampleType.
 

@@ -9,12 +9,15 @@
 namespace thaum::fluid {
 namespace {
 
-/// Rule for the values of a field in its ghost cells. This solver uses only the layer next to the box.
+/// Rule for the values of a field in its ghost cells, the cells around the box that stand for what lies
+/// beyond its sides. This solver uses only the layer of them next to the box.
 struct Border {
     /// For each axis, value of a ghost cell beyond a wall, divided by that of the nearest inner cell: 1 or
     /// -1.
     std::array<float, 3> factor{1, 1, 1};
-    float lid{};  ///< velocity added in the ghost cells above the top of y: twice that of the lid (m/s)
+    /// Velocity that is added in the ghost cells above the top of y: twice that of the moving wall there
+    /// (m/s).
+    float lid{};
 };
 
 Border border_of_scalar() { return {}; }
@@ -32,7 +35,7 @@ Border border_of_velocity(const Settings& settings, std::size_t component) {
     return result;
 }
 
-/// Both ends of one row of cells along an axis, with their ghost cells.
+/// One row of cells along an axis, described so that the ghost cells at its two ends can be filled.
 struct RowEnds {
     std::ptrdiff_t last;    ///< index distance from the first cell of the row to the last
     std::ptrdiff_t stride;  ///< index distance from a cell to the next
@@ -47,7 +50,7 @@ struct RowEnds {
 };
 
 /// Fills the ghost cells of a field, one axis after another. The rows along an axis include the ghost cells
-/// of the axes before it, so that those at edges and corners are right, too.
+/// of the axes filled before, so that the ghost cells at edges and corners of the box get right values, too.
 void fill_border(const Lattice& lattice, const Border& border, Samples& samples) {
     const auto [nx, ny, nz] = lattice.cells;
     const auto sides = [&](std::size_t axis) {
@@ -68,7 +71,7 @@ void fill_border(const Lattice& lattice, const Border& border, Samples& samples)
     }
 }
 
-/// Solves x = (source + share * sum of the six neighbours) / (own + 6 share) by Gauss-Seidel sweeps.
+/// Solves x = (source + share * sum of the six neighbours of x) / (own + 6 share) by Gauss-Seidel sweeps.
 /// `own` is 1 for diffusion and 0 for pressure.
 void relax(const Lattice& lattice, const Border& border, int sweeps, float own, float share,
            const Samples& source, Samples& x) {
@@ -131,8 +134,8 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
 }
 
 /// Subtracts the gradient of the pressure, so that the flow becomes nearly free of divergence. Some
-/// divergence remains for two reasons: the sweeps are not exact, and a difference across two cells does not
-/// see the shortest waves.
+/// divergence remains for two reasons: a few Gauss-Seidel sweeps do not solve the pressure exactly, and a
+/// difference across two cells does not see the shortest waves.
 void project(Fluid& fluid, ClassicScratch& scratch) {
     write_divergence(fluid, scratch.source);
     std::ranges::fill(fluid.state.pressure, 0.0F);
@@ -169,7 +172,7 @@ AxisPlace along(float place, int n, bool periodic) {
 struct Tracer {
     const Lattice& lattice;
     const std::array<Samples, 3>& velocity;
-    float cells_per_speed;  ///< dt / h: cells by which fluid with a speed of 1 m/s moves
+    float cells_per_speed;  ///< dt / h: distance that fluid with a speed of 1 m/s moves (cells)
     std::array<bool, 3> periodic;
 
     TracedPlace back(int i, int j, int k) const {
@@ -205,7 +208,7 @@ float sample(const Lattice& lattice, const TracedPlace& place, const Samples& sa
     return mix(low, high, pz);
 }
 
-/// Calls `f` with each cell and the place where the fluid in it was dt earlier.
+/// Calls `f` with the index of each cell and the place where the fluid now in that cell was dt earlier.
 template <class F>
 void trace_back(const Tracer& tracer, F&& f) {
     const auto [nx, ny, nz] = tracer.lattice.cells;

@@ -20,7 +20,8 @@
 
 namespace thaum::fluid {
 
-/// Memory kept between steps so that no step allocates; holds no state.
+/// Work arrays of a step, kept so that the next step need not allocate them again. No step reads what an
+/// earlier one left in them.
 struct ClassicScratch {
     /// copies of velocities or of a substance, which a pass reads while it writes its result
     std::array<Samples, 3> before{};
@@ -30,7 +31,7 @@ struct ClassicScratch {
 /// Advances the fluid by dt (s), > 0, in one step. Of the ghost cells it uses only the layer next to the box.
 StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt);
 
-/// Writes the velocity in the layer of ghost cells next to the box.
+/// Fills the ghost cells of the velocity in the layer next to the box, as the rules for its sides require.
 void classic_fill(Fluid& fluid);
 
 /// Advances only the substances by dt (s), carried by the current velocity.

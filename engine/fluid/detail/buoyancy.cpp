@@ -6,7 +6,8 @@
 namespace thaum::fluid {
 namespace {
 
-/// Rate of change of one row of values by advection along one axis, multiplied by -2 h (m/s).
+/// How fast the flow along one axis changes a row of values that it carries (advection), times -2 h (m/s for
+/// values without unit).
 struct AxisAdvection {
     const float* velocity;
     const float* open;  ///< shares of the faces that no solid covers; null: all faces are open
@@ -21,8 +22,8 @@ struct AxisAdvection {
     }
 };
 
-/// The open faces across one axis in a range of cells: those of one level (cells at one height), or of all
-/// levels if the axis is x.
+/// The open faces (not wholly covered by a solid) across one axis, in a range of cells: those of one level
+/// (cells at one height), or of all levels if the axis is x.
 struct LevelFaces {
     const Rows& rows;
     std::size_t axis;
@@ -43,9 +44,9 @@ struct LevelFaces {
         }
     }
     Floats8 open_at(std::ptrdiff_t at) const { return open != nullptr ? load(open + at) : zero8 + 1.0F; }
-    /// Sum of the weights on both sides of a face. At order 4 the flow through a face is (26 u[0] - u[-1] -
-    /// u[1]) / 24. The densities beside the face get the same weights. Force times velocity then equals the
-    /// potential energy that the flow carries down.
+    /// Sum of the weights of the substances on both sides of a face. At order 4 the flow through a face is
+    /// (26 u[0] - u[-1] - u[1]) / 24, so the densities beside the face are weighted in the same way. Force
+    /// times velocity then equals the potential energy that the flow carries down.
     Floats8 both_sides(std::ptrdiff_t at) const {
         const auto s = rows.lattice.stride[axis];
         const Floats8 near = load(weight + at) + load(weight + at - s);
@@ -54,8 +55,8 @@ struct LevelFaces {
     }
 };
 
-/// Mean of LevelFaces::both_sides over the open faces of one level, for each position along x. If the levels
-/// do not lie across x, all positions have the same mean.
+/// For each position along x, the mean over the open faces of one level (cells at one height) of the sum of
+/// the weights on both sides of a face. If the levels do not lie across x, all positions have the same mean.
 using LevelMeans = std::array<float, max_cells>;
 
 LevelMeans means_of(const LevelFaces& faces) {
@@ -82,7 +83,8 @@ LevelMeans means_of(const LevelFaces& faces) {
     return means;
 }
 
-/// Adds the force of the weight on the faces, minus its mean over each level.
+/// Adds the weight of the substances to the forces on the faces, minus its mean over each level (cells at one
+/// height), because pressure balances that mean.
 void add_weight_of(const LevelFaces& faces, float pull, const LevelMeans& means, float* force) {
     faces.each_8([&](std::ptrdiff_t at, std::ptrdiff_t x) {
         const Floats8 more = 0.5F * pull * (faces.both_sides(at) - load(means.data() + x));

@@ -1,5 +1,5 @@
-// fluid/detail/buoyancy.h: the weight of substances: its force, its motion within a step, and the energy that
-// diffusion adds by lifting it.
+// fluid/detail/buoyancy.h: the weight of substances: the force by which they sink or rise, how the flow moves
+// that weight within a step, and the energy that diffusion adds by lifting it.
 //
 // If the buoyancy force used the densities at the start of a step, waves would grow: an oscillation of
 // frequency w would gain (w dt)^2 / 2 of its kinetic energy in each step. With the densities half a

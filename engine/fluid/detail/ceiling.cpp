@@ -87,8 +87,9 @@ float crest_above(const std::array<DensityStencil, 3>& along) {
     return sum;
 }
 
-/// True if so many cells exceed the density `level` that they are the inside of a body and not the top of a
-/// hill. Layers and waves that cross the whole lattice never count as a body.
+/// True if the cells above the density `level` are so many that they are the inside of a body (region of
+/// nearly one density) and not the top of a hill. Layers and waves that cross the whole lattice never count
+/// as a body.
 bool is_plateau(const Rows& rows, const Samples& density, float level) {
     constexpr int cells_of_a_top = 64;
     const auto [nx, ny, nz] = rows.lattice.cells;

@@ -1,9 +1,9 @@
 // fluid/detail/ceiling.h: the limit that keeps transport from creating densities above those that exist.
 //
-// No cell may rise above the cell of the highest density; otherwise the density overshoots at sharp edges. A
-// smooth hill is the exception. Its top may lie between cells, and a limit at the highest cell would cut it
-// off in each sub-step. Where the cells around the highest one bend evenly, the limit is therefore the top of
-// a parabola through them.
+// While substances are transported, no cell may rise above the cell of the highest density; otherwise the
+// density overshoots at sharp edges. A smooth hill is the exception. Its top may lie between cells, and a
+// limit at the highest cell would cut it off in each sub-step. Where the cells around the highest one bend
+// evenly, the limit is therefore the top of a parabola through them.
 #pragma once
 #include <array>
 

@@ -19,11 +19,12 @@ constexpr double min_spread = 1e-6;
 /// value and upwind_share were chosen by trials in turning and stirred bowls of 16 to 64 cells: with 6, flows
 /// gained energy.
 constexpr double max_weights = 4;
-/// Share of upwind differences in the advection beside continued velocities. With a smaller one, flows gained
-/// energy in some trials; with 1 a turning flow lost twice as much energy.
+/// Share of upwind differences in the advection beside solids, where velocities are read that continue the
+/// flow into the solid. With a smaller share, flows gained energy in some trials; with 1 a turning flow lost
+/// twice as much energy.
 constexpr float upwind_share = 0.5F;
-/// Number of partial sums in which the terms of one continued velocity are added. In a single sum each
-/// addition would wait for the one before.
+/// A velocity that continues the flow into a solid is a weighted sum of many others. This is the number of
+/// partial sums in which its terms are added. In a single sum each addition would wait for the one before.
 constexpr std::uint32_t sums_at_once = 4;
 
 /// The faces across one axis, on which one component of the velocity is sampled.
@@ -57,8 +58,8 @@ Faces faces_across(const Lattice& lattice, const Solids& solids, std::size_t axi
 bool is_read(const Faces& faces, const Cells& cell) {
     const std::size_t at = faces.at(cell);
     const auto step = [&](std::size_t axis) { return static_cast<std::size_t>(faces.lattice.stride[axis]); };
-    // Faces on the walls of the box are filled together with the ghost cells, so they need no continued
-    // velocity.
+    // The velocity on the walls of the box is set together with the ghost cells, so those faces need no
+    // velocity that is fitted to their neighbours.
     const bool on_wall = cell[faces.axis] == 0 && faces.lattice.edges[faces.axis] != Edge::periodic;
     if (faces.open(at) >= 1 || on_wall) return false;
     bool result = faces.solids.holds_fluid(at) || faces.solids.holds_fluid(at - step(faces.axis));
@@ -67,11 +68,11 @@ bool is_read(const Faces& faces, const Cells& cell) {
     return result;
 }
 
-/// An open face whose velocity a fit uses, to continue the velocity of another face near it.
+/// An open face near a solid, one of those from whose velocities that of a covered face is fitted.
 struct FittedFace {
     std::size_t at{};
-    vec3 apart{};     ///< place relative to the centre of the face whose velocity is continued (cells)
-    double weight{};  ///< weight in the fit, later weight in the continued velocity
+    vec3 apart{};     ///< place relative to the centre of the face whose velocity is fitted (cells)
+    double weight{};  ///< weight in the fit, later weight in the fitted velocity
 };
 
 std::vector<FittedFace> open_faces_around(const Faces& faces, const Cells& centre) {
@@ -91,10 +92,10 @@ std::vector<FittedFace> open_faces_around(const Faces& faces, const Cells& centr
     return result;
 }
 
-/// Solves the least-squares fit of a linear function to the velocities of these faces. Replaces the weight of
-/// each face in the fit by its weight in the continued velocity, the value of the function at the centre of
-/// the face in question. If that centre lies so far from the fitted faces that the weights would magnify
-/// noise, the slope of the function is reduced (max_weights).
+/// Solves the least-squares fit of a linear function to the velocities of these open faces. Replaces the
+/// weight that each face has in the fit by its weight in the value of the function at the centre of the face
+/// in question, which is the fitted velocity. If that centre lies so far from the open faces that the weights
+/// would magnify noise, the slope of the function is reduced (max_weights).
 void solve_fit(std::vector<FittedFace>& faces) {
     double total = 0;
     vec3 mean(0);

@@ -32,8 +32,8 @@ double crossing(const SolidShare& solid, vec3 open_end, vec3 to_solid) {
     return 0.5 * (open + closed);
 }
 
-/// Length of a line outside of solids (open length), and the first moment of its open part about the start.
-/// Both are relative to the length of the line.
+/// Length of that part of a line which lies outside of solids (open length), and the first moment of this
+/// part about the start of the line. Both are relative to the length of the line.
 struct OpenLength {
     double length{}, moment{};
 };
@@ -74,11 +74,11 @@ struct FaceEdges {
     vec3 low, first, second;
 };
 
-/// Open area and its centre. The open length of a line is a smooth function of the line's position, except at
-/// positions where the wall crosses an edge. So each interval between two such positions has a Gauss rule of
-/// its own. Lines at equal distances would miss small openings: with eight, the flow that the wall seemed to
-/// let through was 8 % of that through an open face, and the velocities on small open parts were off by a
-/// fifth, on fine grids as on coarse ones.
+/// Measures the open area and its centre by Gauss rules along lines across the face. The open length of a
+/// line is a smooth function of the line's position, except at positions where the wall crosses an edge. So
+/// each interval between two such positions has a Gauss rule of its own. Lines at equal distances would miss
+/// small openings: with eight lines, the flow that the wall seemed to let through was 8 % of that through an
+/// open face, and the velocities on small open parts were off by a fifth, on fine grids as on coarse ones.
 OpenPart measured_part(const SolidShare& solid, const FaceEdges& face) {
     std::vector<double> ends{0, 1};
     add_crossings(solid, face.low, face.second, ends);

@@ -15,13 +15,14 @@ namespace thaum::fluid {
 /// Function that gives the solid share of a place (m), 0 to 1. The wall is the surface where it is 0.5.
 using SolidShare = std::function<double(vec3)>;
 
-/// The open part of a face.
+/// The part of a face that no solid covers.
 struct OpenPart {
     double share{};  ///< open area divided by the whole area
     vec3 middle{};   ///< centre of the open area (m)
 };
 
-/// Computes the open part of a face. `low` is the corner with the lowest coordinates (m).
+/// Computes the open part of a face across `axis`, a square of edge h (m). `low` is its corner with the
+/// lowest coordinates (m).
 OpenPart open_part(const SolidShare& solid, vec3 low, std::size_t axis, double h);
 
 inline bool is_open(const SolidShare& solid, vec3 place) { return solid(place) < 0.5; }

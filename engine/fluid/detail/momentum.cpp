@@ -8,16 +8,17 @@
 namespace thaum::fluid {
 namespace {
 
-/// Interpolates the advecting velocity half-way between a sample and the previous one, `step` away, at order
-/// 4. The result is multiplied by 16 / 9, which saves multiplications here; later factors take it out.
+/// Interpolates the velocity that carries the momentum half-way between a sample and the previous one, `step`
+/// away, at order 4. The result is multiplied by 16 / 9, which saves multiplications here; later factors take
+/// it out.
 void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
     for (std::ptrdiff_t i = 0; i < count; i += 8)
         store(out + i, (load(u + i - step) + load(u + i)) -
                            (1.0F / 9) * (load(u + i - 2 * step) + load(u + i + step)));
 }
 
-/// Four neighbouring rows of the advecting velocity across a row of advected values: one beyond its low side,
-/// those on its low and high side, and one beyond its high side.
+/// Four neighbouring rows of the velocity that carries a row of values (the advecting velocity): one beyond
+/// the row's low side, one on its low side, one on its high side and one beyond its high side.
 struct CarryingRows {
     const float* before;
     const float* low;
@@ -43,9 +44,9 @@ struct CarryingSamples {
     std::ptrdiff_t back;  ///< index distance between the two samples that are interpolated
     std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
 
-    /// Advecting velocity between the advected values and the previous ones, times 2.
+    /// Advecting velocity half-way between each of eight carried values and the previous one, times 2.
     Floats8 twice(std::ptrdiff_t i) const { return load(velocity + i - back) + load(velocity + i); }
-    /// Flux out of eight samples to the next ones minus flux into them, times 4.
+    /// Flux out of eight samples to the next ones minus flux into them from the previous ones, times 4.
     Floats8 flux(const float* q, std::ptrdiff_t i) const {
         return twice(i + step) * load(q + step) - twice(i) * load(q - step);
     }
@@ -77,8 +78,8 @@ inline Floats8 rate_at(const Carrying& a, const Carrying& b, const Carrying& c, 
         if constexpr (fourth) {
             const Floats8 twos = sum_of_both_sides(q, 2 * a.step) +
                                  (sum_of_both_sides(q, 2 * b.step) + sum_of_both_sides(q, 2 * c.step));
-            // The factors are whole numbers of twelfths, which float represents exactly. So viscosity keeps
-            // the momentum: what leaves one sample enters its neighbours.
+            // Counted in twelfths, the factors 16, 1 and 90 are whole numbers, which float represents
+            // exactly. So viscosity keeps the momentum: what leaves one sample enters its neighbours.
             sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
         } else {
             sum += factors.spread * (ones - 6.0F * load(q));
@@ -117,10 +118,12 @@ inline std::ptrdiff_t place_in_plane(const Lattice& lattice, int i, int j) {
     return (j + ghosts) * lattice.stride[1] + i + ghosts;
 }
 
-/// Index of the plane that holds the advecting velocity along z at layer k: one of a ring buffer of four.
+/// Index of the plane that holds the advecting velocity along z at layer k. Four planes take turns (ring
+/// buffer).
 inline std::size_t plane_along_z(int k) { return 2 + static_cast<std::size_t>(k + 1) % 4; }
 
-/// Rows of the advecting velocity along x, y and z around the row that starts at `place` in layer k.
+/// Rows of the advecting velocity (which carries the momentum) along x, y and z around the row that starts at
+/// `place` in layer k.
 [[gnu::always_inline]] inline std::array<CarryingRows, 3> carrying_rows(const std::array<Samples, 6>& planes,
                                                                         const Lattice& lattice,
                                                                         std::ptrdiff_t place, int k) {
@@ -133,7 +136,8 @@ inline std::size_t plane_along_z(int k) { return 2 + static_cast<std::size_t>(k 
             CarryingRows{z(k - 1), z(k), z(k + 1), z(k + 2), stride[2]}};
 }
 
-/// Arrays of one component, starting at index `at`.
+/// The arrays that a Runge-Kutta stage reads and writes for one component of the velocity, from index `at`
+/// on.
 [[gnu::always_inline]] inline RowTargets row_targets(const RungeKuttaStage& stage, const Solids* solids,
                                                      std::size_t axis, std::ptrdiff_t at) {
     return {.start = stage.start[axis].data() + at,
@@ -171,7 +175,8 @@ Momentum::LayerBounds Momentum::bounds_of_layer(int k) const {
     return bounds;
 }
 
-/// Interpolates the advecting velocity along z on the low faces of layer k, for all its rows.
+/// Interpolates the advecting velocity (which carries the momentum) along z on the low faces of layer k, for
+/// all its rows.
 void Momentum::interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k) {
     float* plane = planes_[plane_along_z(k)].data();
     for (int j = 0; j < lattice_.cells[1]; ++j)
@@ -179,7 +184,7 @@ void Momentum::interpolate_between_layers(const Samples& velocity_z, std::ptrdif
                         plane + place_in_plane(lattice_, 0, j));
 }
 
-/// Interpolates the advecting velocities along x and y within the bounds of layer k.
+/// Interpolates the advecting velocities along x and y for the part of layer k that contains all its fluid.
 void Momentum::interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k) {
     const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
     const auto start = static_cast<int>(bounds.start);

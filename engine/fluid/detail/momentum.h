@@ -1,8 +1,8 @@
 // fluid/detail/momentum.h: rate of change of the velocity by advection, and by viscosity, on the staggered
 // grid.
 //
-// Component a is advected along b. The advecting velocity T is interpolated along a. The advected component q
-// is the mean of two neighbours h apart (mean1), and of two neighbours 2 h apart (mean2):
+// Component q of the velocity is carried along the axis b by component T (advection). T is interpolated along
+// the axis of q. q is the mean of two neighbours h apart (mean1), and of two neighbours 2 h apart (mean2):
 //
 //     d(T q)/db  ~  4/3 d1( (T + delta2(T) / 32) mean1 q ) - 1/3 d2( mean1(T) mean2 q )
 //
@@ -23,7 +23,8 @@
 
 namespace thaum::fluid {
 
-/// One stage of a Runge-Kutta step:
+/// One stage of a Runge-Kutta step, where rate(v) is the rate of change of a velocity v by advection,
+/// viscosity and forces:
 ///
 ///     next = start + next_part * rate(from)
 ///     sum  = (first ? start : sum) + sum_part * rate(from)
@@ -42,8 +43,9 @@ class Momentum {
 public:
     /// `solids` may be null and must outlive this object.
     Momentum(const Lattice& lattice, int order, const Solids* solids);
-    /// Computes one stage for all cells that hold fluid; closed faces get 0. Samples on the lattice's
-    /// walls and the ghosts of `sum` and `next` are left to fill_ghosts. `viscosity` is in m^2/s.
+    /// Computes one stage for all cells that hold fluid; faces that a solid closes get 0. Not written are
+    /// samples on the lattice's walls and ghosts of `sum` and `next`; fill_ghosts does that. `viscosity` is
+    /// in m^2/s.
     void run_stage(const RungeKuttaStage& stage, double viscosity);
 
 private:
@@ -67,9 +69,9 @@ private:
     int order_;
     const Solids* solids_;
     Rows rows_;
-    std::vector<LayerBounds> layer_bounds_;  ///< bounds of each layer
-    /// Interpolated advecting velocity, at order 4: one plane along x, one along y, and a ring buffer of four
-    /// along z.
+    std::vector<LayerBounds> layer_bounds_;  ///< the rectangle of each layer
+    /// Advecting velocity (which carries the momentum), interpolated; at order 4 only. One plane holds it
+    /// along x, one along y, and a ring buffer of four holds it along z.
     std::array<Samples, 6> planes_;
 };
 

@@ -1,5 +1,5 @@
-// fluid/detail/part_of_row.h: copies of a few values at the end of a row, whose number the compiler does not
-// know. It would make each of them a call of a function, which takes longer than the copy.
+// fluid/detail/part_of_row.h: copies a few values at the end of a row. How many is not known at compile time,
+// so a compiler would call memcpy for them, which takes longer than the copy itself.
 #pragma once
 #include <cstddef>
 #include <cstring>
@@ -8,7 +8,7 @@
 
 namespace thaum::fluid {
 
-/// Copies `number` values if `count` has that bit, and moves both addresses on.
+/// Copies `number` floats, a power of two, if that bit of `count` is set, and moves both addresses on.
 template <std::size_t number>
 inline void copy_bit(const std::byte*& from, std::byte*& to, std::size_t count) {
     if ((count & number) == 0) return;
@@ -27,7 +27,7 @@ inline void copy_part(const void* from, void* to, std::size_t count) {
     copy_bit<1>(in, out, count);
 }
 
-/// Writes those of eight values that lie within a row of which `left` samples are left.
+/// Writes eight values, or only the first `left` of them if the row ends after so many samples.
 inline void store_within_row(float* to, const Floats8& values, std::ptrdiff_t left) {
     if (left >= 8) {
         store(to, values);

@@ -6,7 +6,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Difference across one cell along the stride `s`; it approximates h times the derivative.
+/// Difference between samples `s` apart, at order 4 corrected by farther ones; about h times the derivative.
 template <bool fourth>
 inline Floats8 difference(const float* u, std::ptrdiff_t s) {
     if constexpr (fourth)

@@ -1,8 +1,10 @@
-// fluid/detail/pressure.h: divergence and gradient on the staggered grid, of order 2 or 4. At order 4:
+// fluid/detail/pressure.h: divergence and gradient on the staggered grid, of order 2 or 4. At order 4 a
+// difference along one axis is:
 //
 //     ( 27 (u[1] - u[0]) - (u[2] - u[-1]) ) / 24 h
 //
-// The gradient is minus the transpose of the divergence, so a projection can only remove energy.
+// The gradient is minus the transpose of the divergence. So a projection, which subtracts a gradient to
+// remove the divergence, can only remove energy.
 #pragma once
 #include <array>
 #include <span>
@@ -17,7 +19,7 @@ void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>&
                 std::span<float> out);
 
 /// Subtracts the gradient of `potential` from the velocity in `rows`. The ghosts of `potential` must be
-/// filled with GhostRule::even. The ghosts of the velocity are not changed.
+/// filled as mirror images (GhostRule::even). The ghosts of the velocity are not changed.
 void subtract_gradient(const Rows& rows, int order, const Samples& potential,
                        std::array<Samples, 3>& velocity);
 

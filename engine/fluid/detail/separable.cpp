@@ -261,8 +261,8 @@ void change(const DenseTransform& by, const Columns& from, const Columns& to, st
         change_columns<direction, false, false>(by, in, out);
 }
 
-/// Solution of a Poisson equation for each product of three waves: a factor scale / ((along + outer) +
-/// inner).
+/// Solves a Poisson equation on waves: each product of three waves, one for each axis, is multiplied by scale
+/// / ((along + outer) + inner), where the three terms belong to the three waves.
 struct SpectralDivision {
     float scale;
     const float* along;          ///< term of each wave along the columns
@@ -294,7 +294,8 @@ void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlo
     for (int i = 0; i < waves.count; ++i) store_row<whole>(block, i, given + 2 * i);
 }
 
-/// Transforms each column of values[count][width], multiplies by the factors of `by`, and transforms back.
+/// Transforms each column of values[count][width] to waves, multiplies each wave by its factor in `by`, and
+/// transforms back.
 void divide(const Waves& waves, const SpectralDivision& by, float* values, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
     for (; c + wide <= width; c += wide) divide_columns<true>(waves, by, {values + c, width, wide}, c);

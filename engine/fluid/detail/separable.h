@@ -52,8 +52,8 @@ double pressure_symbol(double angle, int order);
 /// Symbol of the second difference used for viscosity.
 double laplace_symbol(double angle, int order);
 
-/// Solves the Poisson equation of pressure: replaces a field by the one whose Laplacian it is. The field has
-/// no ghost cells, x contiguous. The mean is set to zero.
+/// Solves the Poisson equation of pressure: on input a field is the Laplacian that is wanted, on output the
+/// potential that has it. The field has no ghost cells, x contiguous. The mean of the result is zero.
 class PressureSolver {
 public:
     PressureSolver(const Lattice& lattice, int order);
@@ -72,9 +72,9 @@ private:
 class Diffusion {
 public:
     Diffusion(const Lattice& lattice, int order);
-    /// Diffuses a velocity. `part` is nu dt / h^2, >= 0. `lid` is Settings::lid; if it is not 0, the edges
-    /// across x and z must not be no-slip. The ghosts of the velocity are not changed. Allocates memory if
-    /// `part` is another than in the last call.
+    /// Diffuses a velocity. `part` is nu dt / h^2, >= 0. `lid` is the speed along x of the wall at the top of
+    /// y (m/s); if it is not 0, the edges across x and z must not be no-slip. The ghosts of the velocity are
+    /// not changed. Allocates memory if `part` is another than in the last call.
     void diffuse(double part, double lid, std::array<Samples, 3>& velocity);
 
 private:
@@ -87,9 +87,10 @@ private:
     Lattice lattice_;
     int order_;
     std::array<std::array<Waves, 3>, 3> waves_;  ///< waves of each component along each axis
-    /// Transforms to waves that decay by part_ and back, of each component along each axis.
+    /// For each component along each axis, the matrices that transform to waves, let the waves decay as
+    /// viscosity does while nu dt / h^2 is part_, and transform back.
     std::array<std::array<Matrices, 3>, 3> matrices_;
-    double part_ = -1;  ///< value of `part` for which matrices_ are made; -1: none yet
+    double part_ = -1;  ///< value of nu dt / h^2 for which matrices_ are made; -1: none yet
     std::vector<float> packed_, turned_;
 };
 

@@ -13,12 +13,13 @@ namespace {
 
 // Extra term of the preconditioner for a cell that solids mostly close off: own_part h^2 (1 / d - 1 /
 // own_below), where d is the sum of the shares of the cell's six faces that no solid covers. With these
-// values the cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
+// values the pressure solve of the game's cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
-// Factor by which one round of conjugate gradients reduces the residual, and the largest number of rounds. In
-// float, the search stops converging at a few thousandths of the initial residual. The residual is then
-// computed again from the corrected velocity. The next search direction stays conjugate to the last one,
-// because restarting the search would cost a third of an iteration per step.
+// Conjugate gradients run in rounds. This is the factor by which a round reduces the residual, and the
+// largest number of rounds. In float, the search stops converging at a few thousandths of the initial
+// residual. The residual is then computed again from the corrected velocity, and the next round begins. Its
+// search direction stays conjugate to the last one, because restarting the search would cost a third of an
+// iteration per step.
 constexpr double gain_of_round = 2e-3;
 constexpr int max_rounds = 4;
 
@@ -39,8 +40,8 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-/// Fills the ghost cells at periodic sides only. At walls it is not needed: they count as closed faces,
-/// beyond which values have no effect.
+/// Fills the ghost cells of the potential at periodic sides only. At walls this is not needed: walls count as
+/// closed faces, and values beyond closed faces have no effect.
 void fill_round(const Rows& rows, Samples& potential) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (rows.lattice.edges[axis] == Edge::periodic)
@@ -101,8 +102,8 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     Magnitudes8 largest{}, fastest{};
     each_row(rows_, [&, x = x, y = y, z = z](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            // Velocities past the end of a row whose length is no multiple of eight do not count: diagonal_
-            // is 0 there.
+            // Velocities past the end of a row whose length is no multiple of eight do not count: the sum of
+            // open shares, diagonal_, is 0 there.
             const auto holds = load(diagonal_.data() + i) > zero8;
             const Floats8 ux = load(u + i), vy = load(v + i), wz = load(w + i);
             const Floats8 along_x = load(a + i + x) * load(u + i + x) - load(a + i) * ux;
@@ -149,7 +150,7 @@ double Solids::apply_to_direction() {
 }
 
 /// Sets smoothed_ to the preconditioned residual. Returns its scalar products with the residual and with
-/// image_.
+/// image_, the operator times the search direction.
 Solids::Products Solids::precondition() {
     const std::ptrdiff_t nx = lattice_.cells[0];
     float* packed = packed_.data();
@@ -184,9 +185,9 @@ Solids::Products Solids::precondition() {
     return sum;
 }
 
-/// Moves the solution along direction_, as far as reduces the energy most. Ghosts of the direction at
-/// periodic sides must be filled. `slope` is the scalar product of residual and direction. Returns the
-/// largest remaining residual, or nothing if no step reduces the energy.
+/// Moves the solution along direction_, as far as reduces the energy of the corrected flow most. Ghosts of
+/// the direction at periodic sides must be filled. `slope` is the scalar product of residual and direction.
+/// Returns the largest remaining residual, or nothing if no step reduces the energy.
 std::optional<double> Solids::step_along_direction(double slope) {
     curvature_ = apply_to_direction();
     if (!(curvature_ > 0)) {
@@ -221,8 +222,8 @@ int Solids::solve(double left, double tolerance, int max_iterations) {
     while (iterations < max_iterations && left > tolerance) {
         const Products products = precondition();
         if (!(products.residual > 0)) break;
-        // The new direction is conjugate to the previous one, even if that was the initial guess or belongs
-        // to the previous round.
+        // The new direction is conjugate to the previous one, even if that was the potential of the last
+        // projection (first guess) or belongs to the previous round.
         const auto turn = static_cast<float>(curvature_ > 0 ? -products.image / curvature_ : 0);
         each_row(rows_, [&](Row row) {
             for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)

@@ -5,9 +5,9 @@
 // and Bridson 2007). Conjugate gradients solve for it. The preconditioner is the direct solve of the whole
 // box without solids, plus a term for cells that are mostly closed.
 //
-// The box solve measures the energy of the smoothest continuation into the solid. This is at most a small
-// multiple of the energy in the fluid, however fine the grid is. The number of iterations therefore does not
-// grow with the grid.
+// The box solve measures the energy of the smoothest flow that continues the one in the fluid into the solid.
+// This is at most a small multiple of the energy in the fluid, however fine the grid is. The number of
+// iterations therefore does not grow with the grid.
 #pragma once
 #include <optional>
 
@@ -27,9 +27,10 @@ struct CutFace {
 /// was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not
 /// add iterations to the pressure solve.
 inline constexpr double min_open = 0.02;
-/// Smallest open share of a face if the fluid slips along solids. The flow beside a wall is then as fast as
-/// elsewhere, and what is lost through a small closed opening is pushed through others by the pressure. With
-/// 0.02, a flow that turns as a rigid body had 1.7 times the error at 48 cells, and hardly less at 64.
+/// Faces with a smaller open share count as closed if the fluid slips along solids. The flow beside a wall is
+/// then as fast as elsewhere, and what is lost through a small closed opening is pushed through others by the
+/// pressure. With 0.02, a flow that turns as a rigid body had 1.7 times the error at 48 cells, and hardly
+/// less at 64.
 inline constexpr double open_least_where_slipping = 0.002;
 
 /// Solids on one lattice: open shares of faces, and the projection that removes divergence.
@@ -58,10 +59,10 @@ public:
     /// Removes the divergence, until it is at most `share` times the largest velocity component divided
     /// by h. The velocity must be 0 on closed faces.
     ///
-    /// `potential` is input and output. On return its gradient is what was subtracted, ghosts included. On
-    /// entry it holds the potential of the last projection, which is the first search direction. The step
-    /// along it is as long as reduces the energy most (Fischer 1998, with one direction), so a bad guess does
-    /// no harm.
+    /// `potential` is input and output. On return its gradient is what was subtracted from the velocity,
+    /// ghosts included. On entry it holds the potential of the last projection, which is the first search
+    /// direction. The step along it is as long as reduces the energy of the flow most (Fischer 1998, with one
+    /// direction), so a bad guess does no harm.
     ProjectionResult project(std::array<Samples, 3>& velocity, Samples& potential, double share,
                              int max_iterations);
 
@@ -83,7 +84,8 @@ private:
     std::array<Samples, 3> open_;
     std::array<std::vector<CutFace>, 3> cut_faces_;
     Samples diagonal_;  ///< sum of the open shares of the faces of each cell
-    /// Factor by which the preconditioner adds the cell's own residual, for mostly closed cells (m^2).
+    /// Factor by which the preconditioner adds a cell's own residual; above 0 only for cells that solids
+    /// mostly close off (m^2).
     Samples own_;
     Rows rows_;
     PressureSolver box_;

@@ -1,5 +1,5 @@
-// fluid/detail/solver_apart.h: interface of a solver that is a library of its own. A program that does not
-// link that library cannot make fluids with this solver.
+// fluid/detail/solver_apart.h: interface of a fluid solver that stands in a library of its own. A program
+// that does not link that library cannot make fluids with this solver.
 #pragma once
 #include <memory>
 

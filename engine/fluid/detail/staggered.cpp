@@ -26,13 +26,13 @@ constexpr double weight_2 = (1.0 / 6 - weight_3 * (0.5 - place_1)) / place_1;
 constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 
 /// Largest distance that the flow may move in a sub-step, summed over the axes (cells). At order 4 the phase
-/// of the fastest wave, which is 3.5 cells long, advances by 1.37 times that (rad).
+/// of the fastest wave, which is 3.5 cells long, then advances by 1.37 times this number (rad).
 constexpr double max_carried = 2.0;
 /// Largest nu dt / h^2 for which the Runge-Kutta stages include viscosity; larger values are solved
 /// implicitly. The shortest wave then decays at a rate of 16 times that per step, 2.4, which is still stable.
 constexpr double max_explicit = 0.15;
-/// Largest nu dt / h^2 of the base fluid for which implicit viscosity treats the step in one pass instead of
-/// two. At 0.66 one pass doubles the error beside a curved wall.
+/// Largest nu dt / h^2 of the base fluid for which implicit viscosity treats a step in one pass over the
+/// axes, instead of two passes of half the length. At 0.66 one pass doubles the error beside a curved wall.
 constexpr double max_one_pass = 0.25;
 /// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value the fluid already moves as
 /// a rigid body within a step. With a larger one, float could no longer represent its coupling to the fluid
@@ -42,12 +42,13 @@ constexpr double rigid = 1e5;
 constexpr double max_divergence_with_solids = 9.5e-7;
 constexpr int max_iterations = 40;
 /// Largest accepted divergence without solids, times h and divided by the largest velocity component. A
-/// larger one is rounding error, from a velocity that viscosity almost removed or from the corners of a lid.
-/// The pressure is then solved again, `solves_more` times at most.
+/// larger one is rounding error. It comes from a velocity that viscosity almost removed, or from the corners
+/// where a moving wall meets one at rest. The pressure is then solved again, `solves_more` times at most.
 constexpr double max_divergence_without_solids = 1e-6;
 constexpr int solves_more = 2;
 /// Largest number of sub-steps by which substances are transported after a semi-Lagrangian step. It is lower
-/// than usual to limit the processor time; in most such steps no number that is fast enough would do.
+/// than usual to limit the processor time. In most such steps the flow is so fast that no affordable number
+/// would be enough.
 constexpr int transports_of_fall_back = 7;
 /// Flow slower than this comes to rest unless a force accelerates it (m/s).
 constexpr double rest_speed = 1e-6;
@@ -103,8 +104,8 @@ void StaggeredSolver::fill_sides(const Settings& settings, Velocity& velocity, i
     for (std::size_t axis = 0; axis < 3; ++axis)
         fill_ghosts(rows_, ghost_rules_of_velocity(lattice_, axis), velocity[axis], depth);
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
-    // Beyond the lid the velocity is odd relative to the lid's, so twice the lid's speed is added in the
-    // ghost cells.
+    // Beyond the lid (the moving wall) the velocity is odd relative to the lid's, so twice the lid's speed is
+    // added in the ghost cells.
     const auto twice = static_cast<float>(2 * settings.lid);
     for (int k = -ghosts; k < lattice_.cells[2] + ghosts; ++k) {
         for (int j = lattice_.cells[1]; j < lattice_.cells[1] + ghosts; ++j) {
@@ -124,12 +125,12 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
                                                       [](const Substance& s) { return s.weight != 0; });
 }
 
-/// Number of sub-steps of equal length with which the flow moves at most max_carried in each.
+/// Number of sub-steps of equal length with which the flow moves at most max_carried cells in each.
 ///
-/// Where the fluid slips along solids, advection on faces that a solid covers in part reads velocities
-/// continued from around. The velocity of such a face is then weighted by the share that no solid covers. In
-/// a small opening the velocity, or the force, may be much larger than around it, and without the weight it
-/// would require sub-steps that the flow does not need.
+/// Where the fluid slips along solids, advection on faces that a solid covers in part does not read their own
+/// velocities, but such as continue the flow around. So the velocity of such a face is weighted here by the
+/// share that no solid covers. In a small opening the velocity, or the force, may be much larger than around
+/// it, and without the weight it would require sub-steps that the flow does not need.
 double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const {
     const auto wanted = [&](double flow, double push) {
         const double carried = flow + std::abs(settings.lid) + dt * push;
@@ -146,7 +147,7 @@ double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity
     return wanted(flow, push);
 }
 
-/// Sums all forces in force_. `share` converts the queued velocity changes (pushes) to an acceleration (1/s).
+/// Sums all forces in force_. `share` (1/s) times a queued change of velocity (push) is an acceleration.
 void StaggeredSolver::gather_forces(const Settings& settings, const State& state, double share) {
     has_force_ = state.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
@@ -164,8 +165,8 @@ void StaggeredSolver::gather_forces(const Settings& settings, const State& state
     if (solids_) subtract_gradient(rows_, 2, state.pressure, force_);
 }
 
-/// Sets mixed_property_ to base plus, for each substance, density times its property `part`.
-/// Fills the rows and their ghosts.
+/// Sets mixed_property_ to a property of the mixture, such as its viscosity: `base` plus, for each substance,
+/// density times the member `part` of Substance. Fills the rows with fluid and their ghosts.
 void StaggeredSolver::mix_property(const Settings& settings, const State& state, double base,
                                    double Substance::*part) {
     each_row(rows_, [&](Row row) {
@@ -180,8 +181,8 @@ void StaggeredSolver::mix_property(const Settings& settings, const State& state,
     fill_ghosts(rows_, all_even, mixed_property_);
 }
 
-/// Adds the weight of the substances to the forces. The mean of every level is left out, because
-/// pressure balances it. Layered fluid therefore stays at rest exactly.
+/// Adds the weight of the substances to the forces. The mean of every level (cells at one height) is left
+/// out, because pressure balances it. Layered fluid therefore stays at rest exactly.
 void StaggeredSolver::add_buoyancy(const Settings& settings, const State& state) {
     if (!has_weight(settings)) return;
     mix_property(settings, state, 0, &Substance::weight);
@@ -189,8 +190,8 @@ void StaggeredSolver::add_buoyancy(const Settings& settings, const State& state)
     add_gravity(settings);
 }
 
-/// Replaces the buoyancy at the start of a sub-step by the buoyancy half a sub-step later. gather_forces left
-/// the initial weight in mixed_property_.
+/// Replaces the buoyancy at the start of a sub-step by the buoyancy half a sub-step later. gather_forces has
+/// left the weight at the start in mixed_property_.
 void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& state, double dt) {
     if (!has_weight(settings)) return;
     predict_weight(rows_, state.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_property_,
@@ -203,13 +204,14 @@ void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& st
     add_gravity(settings);
 }
 
-/// Adds gravity on the weight in mixed_property_ to the forces.
+/// Adds the force of gravity on the weight of the substances, which mixed_property_ holds, to the forces.
 void StaggeredSolver::add_gravity(const Settings& settings) {
     add_weight(rows_, order_, solids_ ? &solids_->open() : nullptr, settings.gravity, mixed_property_,
                force_);
 }
 
-/// Removes the divergence if there are no solids, and fills the ghost cells.
+/// Ends a Runge-Kutta stage: removes the velocity's divergence if there are no solids, and fills the ghost
+/// cells.
 void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
     if (!solids_) {
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -229,8 +231,8 @@ void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
     fill_sides(settings, velocity, solids_ ? 1 : ghosts);
 }
 
-/// Velocity at the start of a step as advection reads it. Where the fluid slips along solids, this is a
-/// continued copy in second_stage_, which the second stage overwrites.
+/// Velocity at the start of a step as advection reads it. Where the fluid slips along solids, this is a copy
+/// in second_stage_ that continues the flow into them; the second stage overwrites it.
 const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settings& settings,
                                                                     const Velocity& velocity) {
     if (!continuation_) return velocity;
@@ -241,7 +243,7 @@ const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settin
     return second_stage_;
 }
 
-/// Makes sum_, the sum of the Runge-Kutta stages, free of divergence and the new velocity.
+/// Removes the divergence from sum_, the sum of the Runge-Kutta stages, and makes it the new velocity.
 void StaggeredSolver::end_step(const Settings& settings, State& state, double dt, StepReport& report) {
     if (solids_) {
         const auto found =
@@ -351,7 +353,7 @@ void StaggeredSolver::substep(const Settings& settings, State& state, double dt,
     ++report.substeps;
 }
 
-/// Applies implicit viscosity to sum_.
+/// Applies implicit viscosity, for one sub-step, to the velocity in sum_.
 void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& state, double dt) {
     if (settings.viscosity <= 0 && !viscosity_varies(settings)) return;
     const bool lid_alone = lattice_.edges[0] != Edge::no_slip && lattice_.edges[2] != Edge::no_slip;

@@ -74,7 +74,7 @@ private:
     std::unique_ptr<Solids> solids_;
     Rows rows_;  ///< cells that hold fluid
     PressureSolver pressure_;
-    /// Continued velocities; used where the fluid slips along solids.
+    /// Extends the velocity into solids for advection to read; only where the fluid slips along solids.
     std::optional<Continuation> continuation_;
     Momentum momentum_;
     Viscosity viscosity_;
@@ -85,10 +85,11 @@ private:
     /// Rows in which this step's pushes (velocities to be added) are not 0.
     std::array<Rows, 3> pushed_rows_;
     VelocityNorms start_norms_{};  ///< largest values and energy of the velocity before a sub-step
-    std::optional<VelocityNorms> current_norms_;  ///< those of the current velocity, if known
+    /// Largest values and energy of the current velocity, if known.
+    std::optional<VelocityNorms> current_norms_;
     Velocity force_, stage_, second_stage_, sum_;
     bool has_force_ = false;            ///< true: force_ is not all zero
-    bool viscosity_in_stages_ = false;  ///< true: the stages of this step include viscosity
+    bool viscosity_in_stages_ = false;  ///< true: this step's Runge-Kutta stages include viscosity
     Samples potential_, mixed_property_;
     std::vector<float> packed_;
 };

@@ -21,9 +21,9 @@ void each_whole_row(const Lattice& lattice, auto&& visit) {
 }
 void each_whole_row(const Rows& rows, auto&& visit) { each_row(rows, visit); }
 
-/// Sum of the terms of all cells, of which `term` returns those of an index and the next three. They are
-/// added in eight partial sums. Cells that are not in Rows hold zeros, so leaving them out changes no bit of
-/// the sum.
+/// Sum of the terms of all cells. `term`, called with an index, returns the terms of that cell and of the
+/// next three. They are added in eight partial sums. Cells that are not in Rows hold zeros, so leaving them
+/// out changes no bit of the sum.
 double sum_over(const auto& where, auto&& term) {
     Doubles4 low{}, high{};
     each_whole_row(where, [&](Row row) {
@@ -45,7 +45,8 @@ double product(const auto& where, const Samples& a, const Samples& b) {
                     [x = a.data(), y = b.data()](std::ptrdiff_t i) { return load_4(x + i) * load_4(y + i); });
 }
 
-/// Largest magnitude of the terms of all cells, of which `term` returns those of an index and the next seven.
+/// Largest magnitude of the terms of all cells. `term`, called with an index, returns the terms of that cell
+/// and of the next seven.
 double max_over(const auto& where, auto&& term) {
     Magnitudes8 most{};
     each_whole_row(where, [&](Row row) {

@@ -11,19 +11,20 @@
 #include "fluid/floats8.h"
 #include "fluid/ghosts.h"
 
-// One array for each axis is enough for all fluxes. The lattice is processed layer by layer: first the
-// fluxes through the faces of a layer, then, when those above it are ready, the new values of the
-// layer.
+// One array of fluxes for each axis is enough, because the lattice is processed layer by layer: first the
+// fluxes through the faces of a layer, then, when those of the layer above are ready, the new densities of
+// the layer.
 namespace thaum::fluid {
 namespace {
 
-/// Largest sharpness of the flux above. With it, a sphere of 64^3 returns from LeVeque's flow with an error
-/// of 0.31. A sharpness of 0.15 gives 0.35, and a sharpness of 0 gives 0.60. A larger one deforms slots and
-/// corners that are a few cells wide.
+/// Largest sharpness, the factor of the extra flux that keeps edges sharp (transport_rows.h). With this
+/// value, a sphere on a grid of 64^3 cells returns from LeVeque's deforming flow with an error of 0.31. A
+/// sharpness of 0.15 gives 0.35, and a sharpness of 0 gives 0.60. A larger one deforms slots and corners that
+/// are a few cells wide.
 constexpr double max_sharpness = 0.25;
-/// Intensities of segregation (sums.h) from which on edges are kept sharp in part, and fully. A Gaussian has
-/// at most 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its
-/// edge.
+/// Intensity of segregation, 0 to 1: how nearly each cell is either empty or at the highest density (sums.h).
+/// From the first value on, edges are kept sharp in part, from the second on fully. A Gaussian has at most
+/// 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
 constexpr double segregation_of_blurred = 0.5, segregation_of_sharp = 0.6;
 
 // ---- fluxes over the whole lattice -----------------------------------------------------------------------
@@ -74,8 +75,8 @@ void copy_last_faces(const Lattice& lattice, std::size_t axis, int k, Samples& f
     for (int j = 0; axis == 2 && k == 0 && j < ny; ++j) std::copy_n(first(j, 0), nx, first(j, nz));
 }
 
-/// Calls `faces(axis, k)` for the faces of all layers, and `cells(k)` when those of layer k and the ones
-/// above it are ready.
+/// Calls `faces(axis, k)` for the faces of all layers, and `cells(k)` when the fluxes of layer k and of the
+/// layer above it are ready.
 template <class Faces, class CellsOfLayer>
 void each_layer(const Lattice& lattice, Faces faces, CellsOfLayer cells) {
     const int nz = lattice.cells[2];
@@ -100,8 +101,8 @@ void each_layer_of_stage(const SubstepContext& c, const Samples& value, CellsOfL
     each_layer(c.lattice, faces, cells);
 }
 
-/// Computes the density of the next Runge-Kutta stage: that at the start, changed by `part` times the sum of
-/// the fluxes of the stages so far.
+/// Computes the density of the next Runge-Kutta stage: the density at the start of the sub-step, changed by
+/// `part` times the sum of the fluxes of the stages so far.
 template <StageIndex stage, TransportTerms terms>
 void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next) {
     each_layer_of_stage<stage, terms>(c, value, [&](int k) {
@@ -115,8 +116,8 @@ void take_stage(const SubstepContext& c, const Samples& value, float part, Sampl
     fill_ghosts(c.rows(), all_even, next);
 }
 
-/// Limits the flux differences through the faces of a layer. Adds what crosses them to `levels`, if it is not
-/// null.
+/// Limits the differences between fluxes of fifth and of first order through the faces of a layer, so that no
+/// cell leaves its bounds. If `levels` is not null, adds to it what crosses the faces.
 void limit_layer(const SubstepContext& c, std::size_t axis, int k, Levels* levels) {
     const std::ptrdiff_t s = c.lattice.stride[axis];
     float* difference = c.scratch.flux[axis].data();
@@ -139,9 +140,9 @@ void limit_layer(const SubstepContext& c, std::size_t axis, int k, Levels* level
     copy_last_faces(c.lattice, axis, k, c.scratch.flux[axis]);
 }
 
-/// Applies the flux differences, limited, to the density after the fluxes of first order, which is in `left`.
-/// Returns the density that crossed all faces along each axis with a component of `along`, positive in the
-/// direction of the axis.
+/// Applies the differences between fluxes of fifth and of first order, limited, to the density after the
+/// fluxes of first order, which is in `left`. For each axis along which `along` is not 0, returns the density
+/// that crossed all faces, positive in the direction of the axis.
 vec3 apply_limited(const SubstepContext& c, const Samples& left, const vec3& along, Samples& density) {
     std::array<std::optional<Levels>, 3> levels;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -185,7 +186,7 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
                       row.count, {left.data() + at, scratch.part.data() + at, scratch.room.data() + at});
         });
     });
-    // Values beyond walls are never used, because the flux difference through a wall is 0.
+    // Shares beyond walls are never used, because the flux difference through a wall is 0.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (lattice.edges[axis] != Edge::periodic) continue;
         fill_ghosts_across(c.rows(), axis, GhostRule::even, scratch.part);
@@ -249,7 +250,7 @@ float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& d
     return static_cast<float>(max_sharpness * std::round(16 * std::clamp(share, 0.0, 1.0)) / 16);
 }
 
-/// The largest outflow of a cell.
+/// The largest part of a cell's content that the flow carries out of it, over all cells.
 float largest_outflow(const Lattice& lattice, const FaceFlow& face_flow) {
     Floats8 most{};
     const auto& c = face_flow.courant;

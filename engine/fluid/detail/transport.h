@@ -12,10 +12,10 @@
 //        than the cell has, nor fill it beyond the highest density of the lattice. The limit allows for
 //        smooth hills whose top lies between cells, so they are not clipped.
 //
-// Sharp edges: a body of one density would be smeared out, as the limit stops what the fluxes of fifth
-// order would take back from outside. If most of a substance lies in cells of its highest density (sums.h,
-// `segregation`), its fluxes carry a share of the slope back. A smooth hill, a mixture and a substance
-// that diffuses are left as they are.
+// Sharp edges: a body of one density would be smeared out, as the limit stops what the fluxes of fifth order
+// would take back from outside. If most of a substance lies in cells of its highest density (sums.h,
+// `segregation`), one more flux carries density up the slope, back into the body. A smooth hill, a mixture
+// and a substance that diffuses are left as they are.
 //
 // Sub-steps are so short that the first-order fluxes take at most `max_courant` of any cell. There is
 // no splitting by direction: the fluxes of all three axes act at once.
@@ -48,8 +48,8 @@ struct FaceApertures {
     int cells{};  ///< number of cells with open faces
 };
 
-/// Makes the tables from apertures between 0 and 1, whose ghost cells are not read. Faces on the lattice's
-/// own walls do not lower the order of a flux, because cells beyond them are mirrored.
+/// Makes the tables from apertures (open shares of faces) between 0 and 1, whose ghost cells are not read.
+/// Faces on the lattice's own walls do not lower the order of a flux, because cells beyond them are mirrored.
 FaceApertures make_face_apertures(const Lattice& lattice, const std::array<Samples, 3>& aperture);
 
 /// A flow over a time: Courant numbers of the faces, the part of a cell that passes through each. It is
@@ -81,7 +81,8 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
 /// faces stay zero.
 struct TransportScratch {
     Samples first{}, second{}, part{}, room{};
-    /// Fluxes of the stages, then of fifth order minus first, then limited; and those of first order.
+    /// `flux`: sum of the fluxes of the stages, then the difference of fifth order minus first, then that
+    /// difference limited. `donors`: fluxes of first order.
     std::array<Samples, 3> flux{}, donors{};
 };
 
@@ -93,7 +94,7 @@ inline constexpr double max_courant = 0.9;
 /// Settings of one transport of a substance.
 struct TransportSettings {
     double diffusion{};  ///< diffusion coefficient, finite, >= 0 (m^2/s)
-    /// Largest number of sub-steps, >= 1; 10 are enough for a flow of four cells along two axes at
+    /// Largest number of sub-steps, >= 1. 10 are enough for a flow that moves by four cells along two axes at
     /// once.
     int max_substeps{10};
     /// A component is nonzero if TransportReport::moved is to be computed along that axis.
@@ -109,8 +110,8 @@ struct TransportReport {
     /// the available sub-steps are reserved for the flow.
     double spread{1};
     /// Density that crossed the faces along each axis, positive upwards (cells). The first moment of the
-    /// density along the axis grew by as much. Circulation of the mean density of a level is left out. It
-    /// would be zero but for the error of the pressure solve.
+    /// density along the axis grew by as much. What a net flow through a level would carry of the level's
+    /// mean density is left out: that flow would be zero but for the error of the pressure solve.
     vec3 moved{};
     std::int64_t cells{};  ///< number of cells that were processed, summed over all sub-steps
 };

@@ -113,7 +113,7 @@ inline Floats8 flux_of_fifth(const SubstepScale& scale, const FaceRow& face, std
 /// Arrays of a sub-step at one row of faces.
 struct FluxRow {
     const float* value;  ///< density in this stage
-    const float* start;  ///< density at the start
+    const float* start;  ///< density at the start of the sub-step
     float* sum;          ///< fluxes of the stages so far
     float* donors;       ///< fluxes of first order; written in the last stage
 };
@@ -148,19 +148,19 @@ struct Fluxes {
     Floats8 above(std::size_t axis, std::ptrdiff_t i) const { return load(low[axis] + i + step[axis]); }
 };
 
-/// What leaves eight cells minus what enters them.
+/// What flows out of eight cells minus what flows into them, through all six faces of each.
 inline Floats8 net_outflow(const Fluxes& f, std::ptrdiff_t i) {
     const auto across = [&](std::size_t axis) { return f.above(axis, i) - f.below(axis, i); };
     return (across(0) + across(1)) + across(2);
 }
-/// What leaves eight cells through any of their faces.
+/// What flows out of eight cells, summed over those faces through which something leaves the cell.
 inline Floats8 outflow(const Fluxes& f, std::ptrdiff_t i) {
     const auto across = [&](std::size_t axis) {
         return above_zero(f.above(axis, i)) - below_zero(f.below(axis, i));
     };
     return (across(0) + across(1)) + across(2);
 }
-/// What enters eight cells through any of their faces.
+/// What flows into eight cells, summed over those faces through which something enters the cell.
 inline Floats8 inflow(const Fluxes& f, std::ptrdiff_t i) {
     const auto across = [&](std::size_t axis) {
         return above_zero(f.below(axis, i)) - below_zero(f.above(axis, i));
@@ -168,18 +168,20 @@ inline Floats8 inflow(const Fluxes& f, std::ptrdiff_t i) {
     return (across(0) + across(1)) + across(2);
 }
 
-/// What a sub-step may still do to the cells of a row.
+/// For the cells of a row, the density after the fluxes of first order, and which shares of the flux
+/// differences (fifth order minus first) may still be applied.
 struct LimitRow {
     float* value;  ///< density after the fluxes of first order
     /// Share of the flux differences (fifth order minus first) that may leave a cell, so that its density
     /// stays above zero.
     float* part;
-    /// Share of those that may enter it, so that its density stays below the ceiling.
+    /// Share of the flux differences (fifth order minus first) that may enter a cell, so that its density
+    /// stays below the ceiling, the highest density that any cell may reach.
     float* room;
 };
 
 /// Applies the first-order fluxes to a row of cells. Then computes for each cell which share of the flux
-/// differences may be applied.
+/// differences (fifth order minus first) may still be applied without leaving the bounds of the density.
 inline void limit_row(const Fluxes& donors, const Fluxes& difference, const float* start, float ceiling,
                       std::ptrdiff_t count, const LimitRow& row) {
     const Floats8 one = zero8 + 1.0F;
@@ -195,8 +197,8 @@ inline void limit_row(const Fluxes& donors, const Fluxes& difference, const floa
     }
 }
 
-/// Multiplies the flux differences through a row of faces by the shares that the cells on both sides allow.
-/// `s` is the step from the cell below to the one above.
+/// Multiplies the flux differences (fifth order minus first) through a row of faces by the shares that the
+/// cells on both sides allow. `s` is the index distance from the cell below a face to the one above.
 inline void limit_fluxes(const float* part, const float* room, std::ptrdiff_t s, std::ptrdiff_t count,
                          float* difference) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
@@ -209,7 +211,7 @@ inline void limit_fluxes(const float* part, const float* room, std::ptrdiff_t s,
 /// What flows in one sub-step through the faces between two levels (layers of cells at one height), summed
 /// over the faces.
 struct LevelCrossing {
-    double density{};  ///< amount of the substance that crossed the level upwards (densities times cells)
+    double density{};  ///< amount of the substance that crossed the faces upwards (densities times cells)
     double flow{};     ///< net flow of fluid (cells)
     double either{};   ///< sum of the absolute flows of fluid (cells)
     double carried{};  ///< sum of absolute flow times the mean density of the two cells beside the face
@@ -220,8 +222,9 @@ struct LevelCrossing {
         either += static_cast<double>(either_way);
         carried += static_cast<double>(with_mean);
     }
-    /// Density that crossed, minus what the mean density would have carried. The net flow through a level is
-    /// zero except for the error of the pressure solve.
+    /// Amount of the substance that crossed the faces upwards (densities times cells), without the share of
+    /// the net flow. That share is what the net flow of fluid carries if it has the mean density at the
+    /// faces. The net flow would be zero but for the error of the pressure solve.
     double beyond_mean() const { return either > 0 ? density - flow * carried / either : density; }
 };
 using Levels = std::array<LevelCrossing, max_cells>;
@@ -234,8 +237,8 @@ struct CrossedRow {
     std::ptrdiff_t step;
 };
 
-/// Adds the fluxes through the low faces of a row of cells to `levels`. The level of each cell is `across`
-/// higher than that of the previous cell, 0 or 1.
+/// Adds the fluxes through the low faces of a row of cells to `levels`, one for each height. Each cell is
+/// `across` cells higher than the previous one, 0 or 1.
 inline void add_crossed(float scale, const CrossedRow& row, std::ptrdiff_t count, std::ptrdiff_t across,
                         LevelCrossing* levels) {
     Floats8 crossed{}, of_fluid{}, either_way{}, with_mean{};

@@ -7,8 +7,8 @@
 namespace thaum::fluid {
 namespace {
 
-/// Combines two rows: low_of takes the elements of both whose index lacks bit `distance`, high_of those
-/// whose index has it.
+/// Combines two rows of a matrix: low_of takes the elements of both whose index lacks the bit `distance`,
+/// high_of those whose index has it.
 template <int distance>
 inline Floats8 low_of(const Floats8& a, const Floats8& b) {
     if constexpr (distance == 4) return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);

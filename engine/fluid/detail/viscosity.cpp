@@ -9,8 +9,8 @@
 namespace thaum::fluid {
 namespace {
 
-/// Strength of the drag on a dragged face (DraggedFace): this factor times nu dt / h^2, divided by the
-/// distance from the centre of the open part to the wall (cells).
+/// Strength of the drag on a dragged face (a cut face whose centre lies in the solid or close to it): this
+/// factor times nu dt / h^2, divided by the distance from the centre of the open part to the wall (cells).
 constexpr float drag_factor = 8;
 /// Limits of the explicit half for a link (coupling of two places by viscosity) between open places, and for
 /// one to a wall. Even if both links of a place are at their limit, no wave grows in the explicit half, so
@@ -22,7 +22,8 @@ constexpr float max_explicit_wall_link = 0.5F;
 /// ends. Row r has the r-th velocity of every line, and begins `row` values after row r - 1.
 struct Lines {
     float* value;
-    /// Viscous coefficients dt nu / (passes h^2) of the places (samples of the velocity); below 0 in solids.
+    /// Viscous coefficients dt nu / (passes h^2) of the places (samples of the velocity), where passes is the
+    /// number of equal parts of the step; below 0 in solids.
     const float* coefficient;
     std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< number of places (velocity samples) along a line
@@ -34,34 +35,36 @@ struct Lines {
     /// Largest coefficient of a link (coupling of two places), not counting links that a wall shortens.
     float max_link;
     float lid;  ///< speed of the wall at the high end (m/s)
-    /// Factors of the links to the next places, [place][line], above 1 where a wall cuts a link; null: all
-    /// are 1.
+    /// Factor of each link, the viscous coupling of a velocity sample to the next one on its line:
+    /// [sample][line]. Where a wall cuts the link, it is the spacing of the samples divided by the distance
+    /// from the sample in the fluid to the wall, because a near wall brakes more; else 1. Null: all are 1.
     const float* nearer;
-    std::ptrdiff_t nearer_row;  ///< index distance from the factors of one place to those of the next
+    std::ptrdiff_t nearer_row;  ///< index distance from the factors of one sample to those of the next
 };
 
-/// Part of a link's coefficient that uses the velocity before the step: half of it, for second order in time,
-/// but at most `most`.
+/// The part of a link's coefficient (of the viscous coupling of two places) that acts on the velocity before
+/// the step: half of it, for second order in time, but at most `most`.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
     const Floats8 half = 0.5F * whole;
     return half < most ? half : most;
 }
 
-/// Part of the coefficient of the link between two places that uses the velocity before the step. Its limit
-/// depends on whether one of the places is closed.
+/// The part of the coefficient of the link between two places that acts on the velocity before the step. Its
+/// limit depends on whether one of the places is closed (in a solid).
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
     const Floats8 most =
         ((a < zero8) | (b < zero8)) ? zero8 + max_explicit_wall_link : zero8 + max_explicit_link;
     return explicit_part(whole, most);
 }
 
-/// Largest coefficient dt nu / (passes h^2) that a link (coupling of two places by viscosity) may have.
+/// Largest coefficient dt nu / (passes h^2) that a link (coupling of two places by viscosity) may have in
+/// each of the equal passes of a step.
 float max_coefficient(const Lattice& lattice, const ViscousStep& step) {
     return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
 }
 
 /// The lines along one direction on which one component of the velocity is solved. The caller sets their
-/// arrays for each slab.
+/// arrays for each slab (layer of parallel lines).
 Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t axis, std::size_t across) {
     const Slabs slabs = slabs_along(lattice, across);
     const bool adjacent = lattice.stride[slabs.beside] == 1;  // false: the slab is transposed before it is
@@ -85,14 +88,15 @@ Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t a
 struct RowBuffers {
     float* closed;   ///< coefficients below 0, which mark closed places (in a solid)
     float* zeros;    ///< a row of zeros
-    float* below;    ///< implicit part of the link from the previous place
-    float* flux;     ///< flux of momentum from the previous place, by the velocity before the step
-    float* to_wall;  ///< implicit part of the link to the wall at the low end
-    float* ring;     ///< flux of momentum between the ends of periodic lines, by the velocity before the step
+    float* below;    ///< implicit part of the link (viscous coupling) from the previous place
+    float* flux;     ///< momentum that the velocity before the step brings from the previous place
+    float* to_wall;  ///< implicit part of the link (viscous coupling) to the wall at the low end
+    /// Momentum that the velocity before the step carries from one end of periodic lines to the other.
+    float* ring;
 };
 
-/// Results of the elimination of the tridiagonal systems: for each place the factor of the next place's
-/// value, and the second solution for periodic lines.
+/// Results of eliminating the tridiagonal systems: the factor with which each place's value depends on the
+/// next place's, and the second solution for periodic lines.
 struct EliminationFactors {
     float* upper;   ///< factor of the next place's value for each place, preceded by a row of zeros
     float* corner;  ///< second solution, which closes periodic lines, preceded by a row of zeros
@@ -108,8 +112,8 @@ std::array<float, 2> links_to_walls(const Lines& lines) {
     return {wall, wall};
 }
 
-/// Viscous coefficients of place r of each line. Beyond the ends they mark closed places, or are those of the
-/// other end of periodic lines.
+/// Viscous coefficients of place r of each line. For r before the first or after the last place, these are
+/// marks of closed places, or, on periodic lines, the coefficients at the other end.
 const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     if (r < 0 || r >= lines.count) {
         if (lines.edge != Edge::periodic) return buffers.closed;
@@ -119,8 +123,8 @@ const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std:
     return wall ? buffers.closed : lines.coefficient + r * lines.row;
 }
 
-/// Viscous coefficients of the six places around the link from place r to the next place. After the last
-/// place of a periodic line comes the first.
+/// Viscous coefficients of the six places around the link (viscous coupling) from place r to the next place.
+/// After the last place of a periodic line comes the first.
 LinkRows rows_around(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     LinkRows rows{};
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -139,13 +143,15 @@ bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrd
     return any_of(any);
 }
 
-/// The links from a place of each line to the next place: what their coefficients follow from.
+/// What the coefficients of the links (viscous couplings) from a place of each line to the next place follow
+/// from.
 struct LinksToNext {
-    const float *own, *next;  ///< coefficients of both places
-    LinkRows around;          ///< those of the six places around the link, if layers are looked for
-    const float* nearer;      ///< factors of links that a wall cuts; null: none is cut
-    bool holds;               ///< whether a closed place brakes the other one
-    float most;               ///< largest coefficient of a link that no wall cuts
+    const float *own, *next;  ///< viscous coefficients of both places
+    /// Coefficients of the six places around the link; used if a border of two fluids may be there.
+    LinkRows around;
+    const float* nearer;  ///< factors of the links, 1 where no wall cuts one; null: all are 1
+    bool holds;           ///< whether a closed place brakes the other one
+    float most;           ///< largest coefficient of a link that no wall cuts
 };
 
 LinksToNext links_from(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r, bool layered) {
@@ -158,7 +164,7 @@ LinksToNext links_from(const Lines& lines, const RowBuffers& buffers, std::ptrdi
             .most = lines.max_link};
 }
 
-/// Coefficients of eight links to the next place.
+/// Coefficients of eight links (viscous couplings), each from a place to the next one on its line.
 template <bool layered>
 [[gnu::always_inline]] inline Floats8 link_at(const LinksToNext& links, std::ptrdiff_t i) {
     const Floats8 most = zero8 + links.most;
@@ -167,8 +173,8 @@ template <bool layered>
     return links.nearer != nullptr ? result * load(links.nearer + i) : result;
 }
 
-/// Begins the elimination: computes the explicit and implicit parts of the links to the walls at the low end,
-/// and of the link between the ends of periodic lines.
+/// Begins the elimination of the tridiagonal systems: computes the explicit and implicit parts of the links
+/// (viscous couplings) to the walls at the low end, and of the link between the ends of periodic lines.
 template <bool ring>
 void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto last = (lines.count - 1) * lines.row;
@@ -199,7 +205,7 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     }
 }
 
-/// Values and coefficients of one place on each of the parallel lines.
+/// Velocities and viscous coefficients of one place on each of the parallel lines.
 struct PlaceRows {
     std::ptrdiff_t index;
     float* value;
@@ -219,7 +225,8 @@ PlaceRows place_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t
             .wall_multiple = last ? links_to_walls(lines)[1] : 0};
 }
 
-/// Values at one place of eight lines after the explicit half of the step.
+/// Velocities at one place of eight lines after the explicit half of the step, and the links to the next
+/// place.
 struct ExplicitHalf {
     Floats8 value;
     Floats8 to_next;  ///< flux of momentum to the next place or to the wall, by the velocity before the step
@@ -251,8 +258,9 @@ template <bool ring, bool last>
     return {given, to_next, whole - part};
 }
 
-/// Does the explicit half at one place of each line, and eliminates it from the system of the implicit half.
-/// `layered`: whether this place or the next one may hold an interface on some line.
+/// Does the explicit half of the step at one place of each line, and eliminates this place from the system of
+/// the implicit half. `layered`: whether this place or the next one may hold an interface (border of two
+/// fluids) on some line.
 template <bool ring, bool last, bool layered>
 void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
                      std::ptrdiff_t r) {
@@ -292,7 +300,8 @@ bool is_loose(const Lines& lines, bool solids) {
     return !solids && (lines.edge == Edge::periodic || (lines.edge == Edge::free_slip && !lines.through));
 }
 
-/// Sets `first` to the value of the first place of each line, and subtracts it from all places.
+/// Sets `first` to the velocity at the first place of each line, and subtracts it from all places of that
+/// line.
 void subtract_first(const Lines& lines, float* first) {
     std::copy_n(lines.value, lines.pitch, first);
     for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
@@ -310,8 +319,8 @@ void add_first(const Lines& lines, const float* first) {
     }
 }
 
-/// Turns a slab whose lines are `line` apart in memory, so that they are adjacent. `width` is their number;
-/// those that fill it up to a multiple of eight are closed.
+/// Transposes a slab (layer of parallel lines) so that its lines, which are `line` apart in memory, become
+/// adjacent. `width` is their number; lines that fill it up to a multiple of eight are marked as closed.
 void turn_slab(const float* values, const float* coefficients, std::ptrdiff_t line, std::ptrdiff_t width,
                const Lines& lines, float* turned_values, float* turned_coefficients) {
     transpose({values, line}, {turned_values, lines.row}, width, lines.count);
@@ -419,7 +428,8 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
 }
 
 /// Adds to eight places, times `sign`, the part of a constant force on which the explicit half of the step
-/// acts. It is taken out before the step and put back after it, so that viscosity does not damp it.
+/// would act. This part is taken out before the step and put back after it, so that viscosity does not damp
+/// it.
 void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);
@@ -429,8 +439,8 @@ void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign,
     store(u.data() + at, load(u.data() + at) + (coefficients < zero8 ? zero8 : more));
 }
 
-/// Converts the velocities of cut faces, before a solve, from the centre of the open part to the centre of
-/// the face. Saves those of dragged faces and sets them to 0.
+/// Before a solve, converts the velocities of cut faces from the centre of the open part to the centre of the
+/// face. Saves those of dragged faces (whose centre lies in the solid or close to it) and sets them to 0.
 void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     for (std::size_t i = 0; i < dragged.size(); ++i) {
@@ -440,8 +450,8 @@ void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
     for (const ScaledFace& face : scaled_[axis]) u[face.at] *= face.factor;
 }
 
-/// Converts the velocities of cut faces back after a solve. Pulls those of dragged faces towards a profile
-/// that fits their neighbours.
+/// After a solve, converts the velocities of cut faces back. Pulls those of dragged faces (whose centre lies
+/// in the solid or close to it) towards a profile that fits their neighbours.
 void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
@@ -460,7 +470,8 @@ void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Sample
     for (const ScaledFace& face : scaled_[axis]) u[face.at] /= face.factor;
 }
 
-/// The part of a slab outside of which all is closed.
+/// The range of places, and of lines, in a slab (layer of parallel lines) outside of which all places are in
+/// solids.
 Viscosity::OpenRange Viscosity::open_range(std::size_t axis, std::size_t across, int slab) const {
     if (solids_ != nullptr) return open_ranges_[axis][across][static_cast<std::size_t>(slab)];
     return {{0, lattice_.cells[across]}, {0, lattice_.cells[slabs_along(lattice_, across).beside]}};

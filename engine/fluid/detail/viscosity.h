@@ -33,8 +33,8 @@ namespace thaum::fluid {
 /// Arguments of one implicit viscous step.
 struct ViscousStep {
     const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghost cells (m^2/s)
-    /// Largest viscosity of a link between two places (m^2/s). Single places may have a larger one, so that a
-    /// cell that is thick in part differs from one that is thick throughout.
+    /// Largest viscosity of a link (coupling of two neighbouring samples) (m^2/s). Single samples may have a
+    /// larger one, so that a cell that thick fluid fills in part differs from one that it fills wholly.
     double thickest = std::numeric_limits<double>::infinity();
     bool varies = true;  ///< true: the viscosity differs between places
     /// Constant force of this step, already included in the velocity (m/s^2); null for none.
@@ -45,8 +45,8 @@ struct ViscousStep {
     int passes = 1;                 ///< number of passes of equal length into which the step is divided
 };
 
-/// Layout of slabs. A slab is a layer of parallel lines side by side along x, or along y if the lines run
-/// along x.
+/// Layout of slabs. A slab is a layer of parallel lines of samples, side by side along x, or along y if the
+/// lines run along x.
 struct Slabs {
     std::size_t beside, outer;  ///< axis along which lines are adjacent, and axis across the slabs
     std::ptrdiff_t pitch;       ///< number of lines in a slab, rounded up to a multiple of eight
@@ -57,8 +57,8 @@ inline Slabs slabs_along(const Lattice& lattice, std::size_t across) {
     return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
 }
 
-/// A cut face (one that a solid covers in part) whose velocity the lines of the solver use. It is scaled from
-/// the centre of the open part to the centre of the face.
+/// A cut face (one that a solid covers in part) whose velocity the solver needs at the centre of the face. It
+/// is scaled to there from the centre of the open part.
 struct ScaledFace {
     std::size_t at{};
     /// Distance of the centre of the face from the wall, divided by that of the centre of the open part.
@@ -84,8 +84,8 @@ public:
     void diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity);
 
 private:
-    /// Ranges of a slab (layer of parallel lines) outside of which all is closed: of places along the lines,
-    /// and of lines, whose first is a multiple of eight.
+    /// Ranges of a slab (layer of parallel lines) outside of which all places are in solids: the range of
+    /// places along the lines, and that of the lines, whose first is a multiple of eight.
     struct OpenRange {
         CellRange places, lines;
     };
@@ -108,7 +108,7 @@ private:
     Lattice lattice_;
     const Solids* solids_;
     Rows rows_;  ///< cells that hold fluid
-    /// Above 0 for faces whose velocity the lines of the solver use; empty if there are no solids.
+    /// Above 0 for faces whose velocity takes part in the tridiagonal systems; empty if there are no solids.
     std::array<Samples, 3> on_lines_;
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
@@ -117,10 +117,12 @@ private:
     /// and direction, [slab][place][line]; 1 for the others. The link joins the place to the next one. Empty
     /// if there are no solids.
     std::array<std::array<std::vector<float>, 3>, 3> nearer_;
-    std::array<std::array<std::vector<OpenRange>, 3>, 3> open_ranges_;  ///< by component, direction and slab
+    /// For each component, direction and slab (layer of parallel lines), the range outside of which all
+    /// places are in solids.
+    std::array<std::array<std::vector<OpenRange>, 3>, 3> open_ranges_;
     Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
-    // Arrays of parallel lines, [place along a line][line]. Lines along x need all four; others only upper_
-    // and corner_, which begin with a row of zeros.
+    // Arrays of parallel lines, [place along a line][line]. Lines along x need all four, since they are
+    // transposed first; others need only upper_ and corner_, which begin with a row of zeros.
     std::vector<float> value_, coefficient_, upper_, corner_;
     // Scratch memory: rows with one value for each of the parallel lines that are solved together.
     std::array<std::vector<float>, 6> rows_of_lines_;

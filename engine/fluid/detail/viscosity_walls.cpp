@@ -3,16 +3,18 @@
 #include "fluid/detail/viscosity.h"
 #include "fluid/sample.h"
 
-// What the lines of the viscous solver meet at solids. It is found once, when the solver is made.
+// Where walls cut the lines of samples along which the viscous solver works. It is found once, when the
+// solver is made.
 namespace thaum::fluid {
 namespace {
 
-/// Smallest distance to a wall that is used (cells). A place (a sample of the velocity) with walls along
-/// three axes loses its velocity by the product of three factors. If that product were thousands, the
-/// pressure would take minutes to settle.
+/// Smallest distance to a wall that is used; nearer walls count as this far (cells). A wall brakes a place
+/// (sample of the velocity) by a factor that grows as it comes nearer, and walls along three axes by the
+/// product of three. If that product were thousands, the pressure would take minutes to settle.
 constexpr double min_way = 0.2;
 /// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. A face with
-/// a smaller ratio, whose centre is about in the solid, gets a drag instead of a link (DraggedFace).
+/// a smaller ratio has its centre about in the solid. It gets a drag instead of viscous links to its
+/// neighbours (DraggedFace).
 constexpr double min_factor = 0.25;
 
 }  // namespace
@@ -88,8 +90,8 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
     }
 }
 
-/// For each slab (layer of parallel lines), finds the range of places along its lines that contains all open
-/// ones, with one closed place at either end, and the range of lines with open places.
+/// For each slab (layer of parallel lines), finds the range of places along its lines that contains all
+/// places outside solids, with one closed place at either end, and the range of lines with such places.
 void Viscosity::find_open_ranges(std::size_t axis, std::size_t across) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const int n = lattice_.cells[across];

@@ -7,10 +7,11 @@
 
 namespace thaum::fluid {
 
-/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers between the
-/// places resist one after the other. It is exact where the viscosity jumps halfway. With the arithmetic
-/// mean, a thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed
-/// place. If `holds`, such a place brakes the other one; if not, it has no link.
+/// Coefficient of the viscous link between two places (samples of the velocity), of which a and b are the
+/// coefficients: their harmonic mean, because the layers between the places resist one after the other. It is
+/// exact where the viscosity jumps halfway. With the arithmetic mean, a thin layer beside a thick one is half
+/// a cell too thin. A negative coefficient marks a closed place (in a solid). If `holds`, such a place brakes
+/// the other one; if not, it has no link.
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
     const Floats8 low = smaller(a, b), high = larger(a, b);
     // This order of operations leaves equal coefficients unchanged, to the bit.
@@ -24,32 +25,34 @@ inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
 /// of a cell off.
 inline constexpr float layers_from = 1.1F;
 
-/// Rows of coefficients of six consecutive places. The link joins the third and the fourth.
+/// Rows of viscous coefficients of six consecutive places. The link between the third and the fourth is
+/// wanted.
 using LinkRows = std::array<const float*, 6>;
 
-/// Coefficients of five consecutive places, seen from the middle one (`own`): two places behind it, itself,
-/// the neighbour at the other end of the link, and the place beyond that neighbour.
+/// Viscous coefficients of five consecutive places, seen from the middle one (`own`): two places behind it,
+/// itself, the neighbour at the other end of the link, and the place beyond that neighbour.
 struct HalfPlaces {
     Floats8 far_behind, behind, own, faced, far_faced;
 };
 
-/// Absolute difference between the coefficient of a place and that of the place beyond it; 0 if the latter is
-/// closed (in a solid).
+/// Absolute difference between the viscous coefficient of a place and that of the place beyond it; 0 if the
+/// latter is closed (in a solid).
 inline Floats8 step_beyond(const Floats8& place, const Floats8& beyond) {
     const Floats8 step = beyond < zero8 ? zero8 : beyond - place;
     return larger(step, -step);
 }
 
-/// Confidence that a place between two others holds an interface, 0 to 1: high only if the places beyond its
-/// neighbours equal those neighbours to within a hundredth of the jump. In a gradual mixture, and in an edge
-/// that is smeared over more than one place, they do not.
+/// Confidence that a place between two others holds an interface (border of two fluids), 0 to 1. `jump` is
+/// the difference of its neighbours' coefficients. The confidence is high only if the place beyond each
+/// neighbour equals that neighbour to within a hundredth of the jump. In a gradual mixture, and in an edge
+/// that is smeared over more than one place, it does not.
 inline Floats8 sureness(const HalfPlaces& at, const Floats8& jump) {
     const Floats8 uneven = step_beyond(at.behind, at.far_behind) + step_beyond(at.faced, at.far_faced);
     const Floats8 sure = 2.0F - 200.0F * uneven / (jump + 1e-30F);
     return smaller(larger(sure, zero8), zero8 + 1.0F);
 }
 
-/// Rows of coefficients of the two places before a place and of the two after it.
+/// Rows of viscous coefficients of the two places before a place and of the two after it.
 using PlacesAround = std::array<const float*, 4>;
 
 /// Which of eight places may hold an interface (border of two fluids): those whose two neighbours differ from
@@ -61,9 +64,9 @@ inline Magnitudes8 interface_between(const PlacesAround& rows, std::ptrdiff_t i)
     return (low >= zero8) & (high > layers_from * low) & (100.0F * uneven < high - low);
 }
 
-/// Viscous resistance of that half of a place which faces a neighbour. If the place holds an interface, its
-/// coefficient tells how far the fluid of each neighbour reaches into it. A place beside a closed one is
-/// treated as uniform.
+/// Viscous resistance of that half of a place which faces a neighbour. If the place holds an interface
+/// (border of two fluids), its coefficient tells how far the fluid of each neighbour reaches into it. A place
+/// beside a closed one (in a solid) is treated as uniform.
 inline Floats8 half_resistance(const HalfPlaces& at) {
     const Floats8 one = zero8 + 1.0F, whole = one / (at.own + 1e-30F);
     const Floats8 sign = at.behind > at.faced ? one : -one;
@@ -75,8 +78,8 @@ inline Floats8 half_resistance(const HalfPlaces& at) {
     return between ? whole + sureness(at, jump) * (layers - whole) : whole;
 }
 
-/// The coefficients `simple` of links between two places, corrected where an interface lies within one of the
-/// places.
+/// The coefficients `simple` of links between two places, corrected where an interface (border of two fluids)
+/// lies within one of the places.
 inline Floats8 layered_link(const Floats8& simple, const LinkRows& rows, std::ptrdiff_t i) {
     const Floats8 before = load(rows[1] + i), a = load(rows[2] + i), b = load(rows[3] + i);
     const Floats8 after = load(rows[4] + i), low = smaller(a, b);

@@ -6,7 +6,7 @@
 
 namespace thaum::gesture {
 
-/// Sum of the distances between neighbouring points (m).
+/// Sum of the distances between neighbouring points (unit of the positions).
 inline double path_length(Points stroke) {
     double length = 0;
     for (std::size_t i = 1; i < stroke.size(); ++i) length += glm::distance(stroke[i - 1].at, stroke[i].at);

@@ -15,10 +15,10 @@
 
 namespace thaum::gesture {
 
-/// Longest time near one place that still belongs to the stroke (s).
+/// Longest time near one place that still belongs to the stroke (s). A longer one is a rest of the hand.
 inline constexpr double longest_halt = 0.2;
-/// Distance from the middle of a rest within which the hand counts as resting, as a share of the largest of
-/// the stroke's width, height and depth.
+/// Distance from the middle of a run of points within which they count as a rest of the hand, as a share of
+/// the largest of the stroke's width, height and depth.
 inline constexpr double rest_reach = 0.02;
 
 /// Part of a stroke between two rests, during which the hand moves.
@@ -62,7 +62,7 @@ public:
     RunFinder(const Stroke& stroke, double extent)
         : stroke_(stroke), square_(static_cast<Real>(rest_reach * rest_reach * extent * extent)) {}
 
-    /// The next rest at or after a point, joined with the rests that follow it at the same place.
+    /// The next rest at or after the point `from`, joined with the rests that follow it at the same place.
     std::optional<Rest> next_rest(std::size_t from) const {
         std::optional<Rest> rest;
         while (from < stroke_.size()) {
@@ -84,8 +84,8 @@ public:
     /// neighbouring points (from `begin` on) in which the hand only trembles. Extending is needed because a
     /// run that began in the approach may have ended too early, at a point of tremor far from its middle.
     Rest without_motion(Rest rest, std::size_t begin) const {
-        // Distance from the middle below which a point counts as tremor instead of motion, as a multiple of
-        // the root mean square distance of the run's points. Points that differ only by rounding are no
+        // Distance from the middle of the rest below which a point counts as tremor instead of motion, as a
+        // multiple of the root mean square distance of its points. Points that differ only by rounding are no
         // motion either.
         constexpr auto tremor_reach = static_cast<Real>(2.5), rounding = static_cast<Real>(1e-9);
         const auto points = static_cast<Real>(rest.last - rest.first + 1);
@@ -99,7 +99,8 @@ public:
         while (rest.first < rest.last && square_from(rest.middle, rest.first) > near) ++rest.first;
         while (rest.first < rest.last && square_from(rest.middle, rest.last) > near) --rest.last;
         const auto trembles = [&](std::size_t i) { return square_from(rest.middle, i) <= near; };
-        // A single point outside, between points that tremble, may be noise, so the rest goes on beyond it.
+        // A single point farther away, between points that tremble, may be noise, so the rest goes on beyond
+        // it.
         const std::size_t end = stroke_.size();
         while (rest.first > begin &&
                (trembles(rest.first - 1) || (rest.first > begin + 1 && trembles(rest.first - 2))))
@@ -114,7 +115,9 @@ public:
 
 private:
     Rest run_from(std::size_t first) const {
-        constexpr int points_of_middle = 16;  // largest number of points whose mean is the middle of the run
+        // The middle of a run (points that stay near one place) is the mean of its first points, at most this
+        // many.
+        constexpr int points_of_middle = 16;
         Rest run{first, first, stroke_.place(first)};
         for (int count = 1; run.last + 1 < stroke_.size();) {
             const std::size_t next = run.last + 1;
@@ -123,7 +126,7 @@ private:
                 if (count == points_of_middle) continue;
                 run.middle += (stroke_.place(next) - run.middle) / static_cast<Real>(++count);
             } else if (next + 1 == stroke_.size() || square_from(run.middle, next + 1) < square_) {
-                run.last = next;  // a single point outside is noise
+                run.last = next;  // a single point farther away is noise
             } else {
                 break;
             }

@@ -1,8 +1,9 @@
 // gesture/detail/speed_force.h: tells whether the force of recorded strokes is only an answer to speed.
 //
-// A mouse feels no force, and a pen in the air meets none. So the game writes down the force of a viscous
-// field, a multiple of the hand's speed. That force tells how the device moves. The shape of a stroke, whose
-// points are spaced by length and time, already has it: where a mouse is drawn evenly, the rest is noise.
+// A mouse feels no force, and a pen in the air meets none. So the game records the force of a viscous fluid
+// instead, a multiple of the hand's speed. That force tells how the hand moves. But the shape of a stroke
+// already tells this, because its points are spaced by length and time. Where a mouse is drawn evenly, what
+// such a force tells besides is noise.
 #pragma once
 #include <optional>
 #include <span>
@@ -11,9 +12,9 @@
 
 namespace thaum::gesture {
 
-/// Share of a stroke's force that is no multiple of its speed: 0 for the force of a viscous field, up to 1.
-/// It is a share of the mean square, taken over twelve equally long parts. std::nullopt for a stroke without
-/// force, times or length.
+/// Share of a stroke's force that is no multiple of its speed: 0 for a force that is proportional to speed,
+/// as in a viscous fluid, up to 1. It is a share of the mean square, taken over twelve equally long parts of
+/// the stroke. std::nullopt for a stroke without force, times or length.
 std::optional<double> force_beside_speed(Points stroke);
 
 /// Whether the force of most recorded strokes follows their speed to within a tenth. One device has drawn

@@ -9,13 +9,13 @@
 
 namespace thaum::gesture {
 
-/// Elastic distance up to which two gestures count as one shape (are twins) if the mean force of one is twice
-/// that of the other. The limit grows with the logarithm of the ratio of the forces, up to the second value:
-/// the clearer the difference in force, the less alike the shapes need be.
+/// Elastic distance (elastic.h) up to which two gestures count as one shape (are twins) if the mean force of
+/// one is twice that of the other. The limit grows with the logarithm of the ratio of the forces, up to the
+/// second value: the clearer the difference in force, the less alike the shapes need be.
 inline constexpr double twin_distance = 0.07, max_twin_distance = 0.15;
-/// The same limits for two gestures that no third one resembles: every other gesture is at least
-/// `clear_of_others` times as far from them as they are from each other. Such a pair may differ more, and is
-/// still one shape, drawn with little care.
+/// The same limits, larger, for two gestures that no third one resembles: every other gesture is at least
+/// `clear_of_others` times as far from them as they are from each other. Strokes of such a pair may differ
+/// more, drawn with little care, and still are of one shape.
 inline constexpr double clear_twin_distance = 0.12, max_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
 /// Whether two gestures are so near to each other in shape, and so different in force, that force should tell
@@ -30,7 +30,7 @@ inline bool differ_in_force(double distance, double force, double other, double 
 }
 
 /// How unusual a stroke's mean force is for a gesture whose strokes have the mean force `usual`: half the
-/// square of the difference of the logarithms, in units of force_scatter.
+/// square of the difference of the logarithms of both forces, in units of force_scatter, the usual deviation.
 inline double force_oddness(double force, double usual) {
     constexpr double force_scatter = 0.25;
     constexpr double min_force = 1e-3;  // smallest force that counts (share of the usual force)
@@ -39,7 +39,8 @@ inline double force_oddness(double force, double usual) {
     return off * off / 2;
 }
 
-/// Adds two gestures to each other's list of twins, once.
+/// Adds each of two gestures to the other's list of twins (gestures of its shape with another force), unless
+/// it is there already.
 inline void add_twins(std::vector<std::vector<std::uint32_t>>& twins, std::uint32_t a, std::uint32_t b) {
     const auto add = [&](std::uint32_t from, std::uint32_t to) {
         if (std::find(twins[from].begin(), twins[from].end(), to) == twins[from].end())

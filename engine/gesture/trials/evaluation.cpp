@@ -60,8 +60,8 @@ private:
         return std::nullopt;
     }
 
-    /// Chooses at random the gestures that get no templates in this repeat (1), so that their strokes should
-    /// be refused. The choice is the same for all users.
+    /// Chooses at random the gestures that get no templates in this repeat (marked 1), so that the right
+    /// answer to their strokes is "nothing". The choice is the same for all users.
     std::vector<char> unknown_gestures(std::size_t repeat) const {
         std::vector<std::size_t> order(index_.gestures.size());
         for (std::size_t g = 0; g < order.size(); ++g) order[g] = g;
@@ -127,8 +127,8 @@ std::vector<std::uint32_t> groups_of(std::span<const Trial> trials) {
     return groups;
 }
 
-/// Sets the probabilities of one group of strokes, mostly those of one user, by weights that are fitted to
-/// the other groups.
+/// Sets the probabilities of the strokes of one group, mostly those of one user, by the weights of a
+/// calibration that is fitted to the other groups.
 void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     std::vector<LabelledEvidence> samples;
     const std::size_t stride = trials.size() / max_fitted + 1;
@@ -143,8 +143,8 @@ void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     }
 }
 
-/// The probability that only the share `false_accepts_wanted` of these strokes, all of gestures without
-/// templates, exceeds.
+/// The threshold of probability that only the share `false_accepts_wanted` of these strokes exceeds. They are
+/// all of gestures without templates, so accepting one is wrong.
 double threshold_of(std::vector<double> unknown) {
     if (unknown.empty()) return 0;
     std::sort(unknown.begin(), unknown.end(), std::greater<>());

@@ -69,14 +69,16 @@ struct ReliabilityBin {
 
 /// How well strokes of gestures without templates ("unknown") are refused, and the others ("known") accepted.
 struct OpenSet {
-    /// Share of known strokes that are accepted as the right gesture, at the chosen thresholds.
+    /// Share of the strokes of known gestures that are accepted as the right gesture, at the chosen
+    /// thresholds.
     double correct_accepts{};
     double false_accepts{};  ///< share of unknown strokes that are accepted, at the chosen thresholds
-    /// Correct accepts at a threshold that gives 1 % false accepts among the tested strokes themselves.
+    /// Share of known strokes that are accepted as the right gesture, at a threshold that is chosen on the
+    /// tested strokes themselves so that it accepts 1 % of the unknown ones.
     double best_correct_accepts{};
 };
 
-/// Results of all trials.
+/// Results of the test of one method on all strokes.
 struct Evaluation {
     std::vector<std::string> gestures;
     std::vector<Trial> trials;
@@ -84,8 +86,8 @@ struct Evaluation {
     std::vector<std::vector<std::size_t>>
         confusion;  ///< [truth][answer]; the last column is for strokes without a shape
     std::array<ReliabilityBin, 10> reliability{};
-    double
-        calibration_error{};  ///< expected calibration error: mean |confidence - right| weighted by the bins
+    /// Expected calibration error: mean of |confidence - right| over the bins, weighted by their strokes.
+    double calibration_error{};
     std::optional<OpenSet> open_set;
 };
 

@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// With fewer strokes, more epochs are needed for as many steps of the training.
+    /// With fewer strokes, the training needs more epochs (passes over all strokes) for as many steps.
     static TrainingSettings training_for(std::span<const Gesture> gestures, std::uint64_t seed) {
         std::size_t strokes = 0;
         for (const auto& g : gestures) strokes += g.strokes.size();

@@ -11,9 +11,9 @@
 
 namespace thaum::gesture {
 
-/// dot: paper 000. tdnn: paper 002. directions: the network of paper 000. elastic: elastic distance to every
-/// template. standard: the recogniser of the game. early: the likely gesture of an unfinished stroke
-/// (prefix.h).
+/// dot: dot product of paper 000. tdnn: time-delay network of paper 002. directions: network of paper 000
+/// with directions as input. elastic: elastic distance to every template. standard: the recogniser of the
+/// game. early: the likely gesture of an unfinished stroke (prefix.h).
 enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard, early };
 
 /// Names of all methods, in the order of Method.
@@ -28,7 +28,7 @@ struct Answer {
     double probability{};  ///< probability by the method's own calibration, 0 to 1; 1 if the method has none
 };
 
-/// A method of recognition that has got its templates.
+/// A method of recognition, ready for strokes: it has been given its templates.
 class Classifier {
 public:
     virtual ~Classifier() = default;

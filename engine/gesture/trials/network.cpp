@@ -24,7 +24,8 @@ struct Layers {
         : hidden(n.hidden), output(n.outputs), error_output(n.outputs), error_hidden(n.hidden) {}
 };
 
-/// Runs the sample forwards and its errors backwards. Returns the sum of squared errors.
+/// Computes the outputs for a sample, then their errors, and from these the errors of the hidden layer
+/// (back-propagation). Returns the sum of squared errors.
 double propagate(const Network& n, const TrainingSample& sample, Layers& l) {
     run_network(n, sample.input, l.hidden, l.output);
     double squares = 0;

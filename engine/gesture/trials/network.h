@@ -54,7 +54,8 @@ Network random_network(std::size_t inputs, std::size_t hidden, std::size_t outpu
 void run_network(const Network& network, std::span<const double> input, std::span<double> hidden,
                  std::span<double> output);
 
-/// Adds the gradient of half the sum of squared errors of one sample, in the layout of `first` and `second`.
+/// Adds the gradient of half the sum of squared errors of one sample to `first` and `second`, which are
+/// arranged like the weights of the network's two layers.
 void add_slope(const Network& network, const TrainingSample& sample, std::vector<double>& first,
                std::vector<double>& second);
 

@@ -21,7 +21,8 @@ struct Found {
     double at{};  ///< time at which the candidate was found (s)
 };
 
-/// Numbers of right, false and missed reports in one session at one threshold.
+/// Numbers of right, false and missed reports in one session, if candidates up to one threshold of the score
+/// are reported.
 struct Count {
     std::size_t right{}, wrong{}, missed{};
     std::vector<double> delays;  ///< times from the end of a gesture to its report (s)
@@ -103,7 +104,8 @@ Count count_at(float threshold, std::span<const Found> found, const Truth& truth
     return count;
 }
 
-/// Counts of right, false and missed reports in each session at each threshold of the score.
+/// Numbers of right, false and missed reports, for each session and each threshold of the score up to which
+/// candidates are reported.
 using Counts = std::vector<std::array<Count, thresholds>>;
 
 Count sum_of_others(const Counts& counts, std::size_t without, std::size_t threshold) {

@@ -20,7 +20,7 @@
 
 namespace thaum::gesture {
 
-/// Settings of an evaluation of the spotter.
+/// Settings of an evaluation of the spotter, which finds gestures in continuous motion.
 struct SpottingSettings {
     std::size_t templates = 1;  ///< number of templates of each gesture
     std::size_t repeats = 3;    ///< number of rounds, each with other random templates
@@ -47,7 +47,9 @@ struct Spotting {
     SpottingScore at_two;  ///< score at thresholds with at most 2 false reports an hour on other users
     double hours{};        ///< total length of all sessions, each counted once (h)
     std::size_t sessions{}, labels{};
-    double skipped{};  ///< share of the ends of windows that were skipped to limit the work of a tick
+    /// Share of the points at which windows (parts of the motion) end that were skipped to limit the work of
+    /// a tick.
+    double skipped{};
 };
 
 /// Tests the spotter on sessions. The error names what is missing: a label, another user, or a gesture of the

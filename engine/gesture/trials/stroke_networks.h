@@ -1,5 +1,5 @@
-// gesture/trials/stroke_networks.h: the two networks of the papers, from stroke to gesture. Baselines; see
-// recogniser.h for the recogniser that the game uses.
+// gesture/trials/stroke_networks.h: the two networks of the papers, from stroke to gesture. They are
+// baselines for comparison; the recogniser that the game uses is in recogniser.h.
 //
 // Time-delay network (paper 002, section 3.2). The workspace is a grid of 5x5 states in the x-y plane; z is
 // disregarded. The input is a sliding window of the 8 most recent transitions between states: 16 nodes. 24
@@ -21,7 +21,7 @@
 
 namespace thaum::gesture {
 
-/// Form in which a network gets a stroke.
+/// Form in which a network gets a stroke: transitions between cells of a grid (tdnn), or directions.
 enum class NetworkKind : std::uint8_t { tdnn, directions };
 
 inline constexpr std::size_t grid_side = 5;

@@ -8,17 +8,22 @@ namespace {
 
 // The limits below are written here again instead of taken from the safety stage (haptics/safety.h). A wrong
 // number there would otherwise be wrong here too, and the audit would not notice.
-constexpr std::uint64_t window_ticks = 10'000;  // time over which the thermal budget is averaged (ticks)
-// Longest time over which the stage may sum squared outputs: its sums leave old ticks out in groups (ticks).
+
+// Time over which the motors' heat, the mean square of the force, is averaged (ticks).
+constexpr std::uint64_t window_ticks = 10'000;
+// Longest time over which the safety stage may sum squared forces (ticks). It forgets old ticks only in whole
+// groups, so its sum may hold some ticks that are older than the 10 s of the average.
 constexpr std::uint64_t memory_ticks = 11'000;
 constexpr double longest_hand_step = 0.05;  // longest plausible motion of the tip in a tick (m)
-// Share of the thermal budget below which the stage may not scale a force down.
+// Share of the largest allowed mean square of the force (the limit that keeps the motors cool) below which
+// the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
-constexpr std::uint64_t fresh_for = 20;  // largest age of a haptic model whose force is played in full
-                                         // (ticks)
-constexpr double ramp_to_zero = 50;      // time in which a force is ramped to zero (ticks)
-constexpr double cap_falls_by = 0.4;     // largest fall of the output in a tick to a cap that was lowered
-                                         // (N)
+// Largest age of a haptic model (description of the world near the hand) whose force is played in full
+// (ticks).
+constexpr std::uint64_t fresh_for = 20;
+constexpr double ramp_to_zero = 50;  // time in which a force is ramped to zero (ticks)
+// Largest fall of the output in a tick after the cap, the largest allowed force, was lowered (N).
+constexpr double cap_falls_by = 0.4;
 // When the wanted force jumps, the safety stage adds an offset that keeps the output where it was, and then
 // fades it. This is the largest work on the hand by that offset (J).
 constexpr double energy_of_a_switch = 0.01;
@@ -217,9 +222,10 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// Length by which the offset that hides a jump fades in a tick (N). While the servo allows the fade its
-/// whole energy, it is the step of the slew limit. The less energy it allows, the nearer it is to
-/// `cap_falls_by`, which is larger.
+/// Length by which the offset that hides a jump of the force fades in a tick (N). While the servo allows the
+/// offset to do its whole work on the hand, the step is that of the slew limit, the rate of an ordinary fade.
+/// The less work the servo allows, the nearer the step is to `cap_falls_by`, which is larger, so that the
+/// offset ends sooner.
 double fading_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double slow = limits.slew * tick_seconds;
     const double left = std::fmin(1, std::fmax(0, input.fade_energy / energy_of_a_switch));
@@ -234,8 +240,9 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    // The jump is not checked here if an earlier offset was still fading: the work of that offset on the hand
-    // shortens it in the same tick. `fade_on` computes that case.
+    // Not checked here if the offset (the force that hides a jump) of an earlier fade was still there. It
+    // becomes shorter in this tick too, by the work that it did on the hand, so the output may change by
+    // more. `fade_on` computes by how much, if the offset is known.
     if (!may_be_fading_)
         count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 
@@ -253,10 +260,10 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     may_be_fading_ = true;
 }
 
-/// Share of the offset, 0 to 1, that still serves to hide the switch: the largest with
-/// |share * offset - remnant| <= |goal|. The remnant is the output before the switch, shortened by time. The
-/// goal is the output without the offset. If no share fulfils this, it is the one with the smallest left
-/// side.
+/// Share of the offset, 0 to 1, that still serves to hide the switch (the jump of the wanted force): the
+/// largest with |share * offset - remnant| <= |goal|. The remnant is the output before the switch, shortened
+/// by time. The goal is the output without the offset. If no share fulfils this, it is the share with the
+/// smallest left side.
 double SafetyAudit::share_that_hides(vec3 goal) const {
     const double square = glm::dot(offset_, offset_);
     if (!(square > 0)) return 1;
@@ -264,9 +271,9 @@ double SafetyAudit::share_that_hides(vec3 goal) const {
     return std::fmax(nearest, share_within(length_of_vector(goal), -remnant_, offset_));
 }
 
-/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than the allowed change and a
-/// spring of the device's stiffness explain, found by bisection. If every share jumps farther, it is the
-/// share with the smallest jump.
+/// Smallest share of the offset, 0 to 1, with which the output does not jump, found by bisection. It does not
+/// jump if it changes by at most the allowed change plus that of a spring of the device's stiffness while the
+/// tip moves. If it jumps with every share, the result is the share with the smallest jump.
 double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     const double square = glm::dot(offset_, offset_);
     if (!(input.stiffness > 0 && square > 0)) return 0;
@@ -292,8 +299,8 @@ double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
 /// - but at least by the step of the slowest fade (`limits.slew`), so that every fade ends,
 /// - and last until goal plus offset is within the cap.
 ///
-/// In the first tick of a fade, and while the springs have a reserve of energy (haptics/energy.h), the work
-/// of the offset counts as at most that of the whole output.
+/// In the first tick of a fade, and while springs may give only a limited reserve of energy after a switch,
+/// the work of the offset counts as at most that of the whole output.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins,
                           bool goes_on) {
     const vec3 moved = begins && !goes_on ? vec3(0) : input.tip - tip_;
@@ -355,8 +362,9 @@ void SafetyAudit::heat(vec3 output) {
     window_sum_ += square - squared_outputs_[leaves_window];
     squared_outputs_[at] = square;
     if (at != 0) return;
-    // Both sums are computed anew once in `memory_ticks`, so that rounding does not accumulate. Index 0 is
-    // the newest output; the indices after it are the oldest, which only `memory_sum_` contains.
+    // The sums over 10 s and over `memory_ticks` are computed anew once in `memory_ticks`, so that rounding
+    // does not accumulate. Index 0 is the newest output; after it come the oldest, which only `memory_sum_`
+    // contains.
     const auto in_memory_only = static_cast<std::ptrdiff_t>(memory_ticks - window_ticks);
     const double older =
         std::accumulate(squared_outputs_.begin() + 1, squared_outputs_.begin() + 1 + in_memory_only, 0.0);

@@ -37,14 +37,16 @@ enum class SafetyRule : std::uint32_t {
     /// Without a switch (jump of the wanted force), the output is wanted force plus brake (the force that
     /// takes excess energy from the hand) in full, or parts of both while the motors are warm.
     unasked,
-    stale,       ///< with an old model, the output falls to zero within 50 ms, at least as fast as a straight
-                 ///< line
-    waiting,     ///< the output is zero before the first wanted force within the cap
+    /// Once the haptic model is too old, the output falls to zero within 50 ms, at least as fast as a
+    /// straight line.
+    stale,
+    waiting,     ///< from the start until sources first want a force within the cap, the output is zero
     over_speed,  ///< the output is zero while the device's tip is too fast
-    off,         ///< once the player wants no forces, the output falls as for `stale`; it is zero if the tip
-                 ///< is too fast
-    shut_off,    ///< the output is zero after the third time that the wanted force was far too large
-    panic,       ///< the output is zero after a panic
+    /// Once the player wants no forces, the output falls within 50 ms as for `stale`; it is zero if the tip
+    /// is too fast.
+    off,
+    shut_off,  ///< after the wanted force was far too large for the third time, the output is zero
+    panic,     ///< after a panic, the player's emergency stop, the output is zero
 };
 inline constexpr std::size_t safety_rules = 11;
 
@@ -56,7 +58,8 @@ class SafetyAudit {
 public:
     SafetyAudit();
 
-    /// Records one tick: the input of make_safe and its output, or the force that the device was told (N).
+    /// Records and checks one tick: the input of make_safe and its output, or the force that was sent to the
+    /// device (N).
     void record(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
 
     std::uint64_t violations() const;
@@ -89,7 +92,7 @@ private:
 
     std::array<std::uint64_t, safety_rules> counts_{};
     Moment now_{};
-    vec3 last_output_{};  // last output (N)
+    vec3 last_output_{};  // force that the device got in the last tick (N)
 
     bool panicked_{};
     bool shut_off_{};
@@ -106,21 +109,22 @@ private:
     // does.
     bool next_is_switch_ = true;
     bool may_be_fading_ = false;  // the stage may still be fading the offset that hides a jump of the force
-    // `offset_` is the stage's offset; unknown after the stage scaled the force down because of warm motors.
+    // True: `offset_` equals the offset of the stage. False after the stage scaled the force down because of
+    // warm motors, since the audit does not know by how much.
     bool offset_known_ = true;
     // The stage does not scale the force down to keep the motors cool, and is not on its way back from that
     // to the full force.
     bool unscaled_ = true;
-    vec3 offset_{};  // offset from the wanted force that fades after a switch (N)
+    vec3 offset_{};  // force that the stage adds to the wanted one after a jump, and fades (N)
     // Output before the jump of the wanted force, shortened by as much as time shortens the offset (N).
     vec3 remnant_{};
     vec3 tip_{};               // position of the tip (m)
-    double initial_length_{};  // length of the offset when the fade began (N)
-    double fade_work_{};       // work of the offset on the hand since the fade began (J)
-    double fade_budget_{};     // largest work that the offset may do (J)
-    Moment last_fading_{};     // last tick in which there may be an offset
+    double initial_length_{};  // length of the offset that hides a jump, when its fade began (N)
+    double fade_work_{};       // work of the fading offset on the hand since its fade began (J)
+    double fade_budget_{};     // largest work that the fading offset may do on the hand (J)
+    Moment last_fading_{};     // last tick in which the stage may have added an offset that hides a jump
 
-    std::vector<double> squared_outputs_;  // squares of the output, a ring buffer (N^2)
+    std::vector<double> squared_outputs_;  // squared forces of the last 11 s, a ring buffer (N^2)
     double window_sum_{};                  // sum of the squared outputs of the last 10 s (N^2)
     // Sum of the squared outputs of the last 11 s, the longest time over which the stage may sum them (N^2).
     double memory_sum_{};

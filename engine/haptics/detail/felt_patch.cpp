@@ -8,7 +8,7 @@ namespace {
 /// Tip that touches the patch, the surfaces near it.
 struct TouchingTip {
     vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s; device frame)
-    bool switched{};              ///< the patch jumped
+    bool switched{};              ///< the patch is a new one, as after a teleport
 };
 
 std::size_t bodies_of(const SurfacePatch& patch) {
@@ -82,10 +82,11 @@ bool has_active_texture(const SurfacePatch& patch) {
 }
 
 /// Computes the contact of the patch's surfaces with the tip, which is first moved by the contact offset.
-/// When the player walks or turns, this would press the tip into a wall. The offset grows by that depth
-/// instead, and also by the depth that its own decay would cause. The force therefore grows only by the
-/// motion of the hand and of bodies: a player who stands with the wand at a wall feels the same force after
-/// turning. In a new patch, the offset takes the whole depth and the force starts at zero.
+/// This offset exists because a player who walks or turns carries the tip into walls, without any motion of
+/// the hand. The offset grows by the depth of that, and by the depth that its own decay would cause. So the
+/// force grows only by the motion of the hand and of bodies: a player who stands with the wand at a wall
+/// feels the same force after turning. In a new patch, the offset takes the whole depth and the force starts
+/// at zero.
 ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
                                 const TouchingTip& probe, double dt) {
     const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);

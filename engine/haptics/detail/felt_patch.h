@@ -8,8 +8,9 @@ namespace thaum::haptics {
 
 struct SurfaceForces {
     vec3 force{};  ///< force on the hand (N)
-    /// Motion of the touched body in the last tick, less that of the contact offset (m). The work of the
-    /// force along it is the world's, not the hand's.
+    /// Motion of the touched body in the last tick (m). The change of the contact offset, which shifts the
+    /// tip out of walls that the player walks into, is subtracted. The work of the force along this step is
+    /// the world's, not the hand's.
     vec3 world_step{};
     double stored{};   ///< energy that a spring of `force` and `stretch` would hold (J)
     double stretch{};  ///< distance from the tip to the proxy, its position outside of the surfaces (m)
@@ -19,7 +20,8 @@ struct SurfaceForces {
     bool switched{};
 };
 
-/// Computes the contact of the tip with the haptic model's patch, `age` ticks after the model was made.
+/// Computes the contact of the tip with the haptic model's patch (surfaces near the tip), `age` ticks after
+/// the model was made.
 SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age, const Tip& tip);
 
 }  // namespace thaum::haptics

@@ -16,7 +16,7 @@ constexpr double solved_residual = 1e-9;
 /// tick.
 constexpr std::uint32_t unsettled_ticks = first_ticks;
 
-/// Returns true if the set of primitives appeared, ended or jumped.
+/// Returns true if the set of primitives (forces on the proxy) appeared, ended or jumped.
 bool detect_set_switch(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
     const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);

@@ -11,7 +11,7 @@ struct Sources {
     /// Part of the passive force by springs whose other end is tied to a movable thing of the world.
     vec3 world{};
     vec3 springs{};  ///< part of the passive force by springs, which can give energy back
-    vec3 tether{};   ///< the tether's part of `springs`
+    vec3 tether{};   ///< the part of `springs` by the tether, a spring from the tip to a thing of the world
 };
 
 }  // namespace thaum::haptics

@@ -1,5 +1,5 @@
 // Mode `follow`: the hand slides along the field's vector and meets resistance across it, by a line through
-// the proxy (paper 001, eq. 12).
+// the proxy (Lundin and others 2007, eq. 12).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

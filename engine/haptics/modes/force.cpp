@@ -1,4 +1,4 @@
-// Mode `force`: the hand is pushed along the field's vector, as by a wind (paper 001, eq. 11).
+// Mode `force`: the hand is pushed along the field's vector, as by a wind (Lundin and others 2007, eq. 11).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

@@ -1,5 +1,5 @@
 // Mode `gradient`: the hand is pushed towards larger values of the field, or smaller ones if the strength is
-// negative (paper 001, eq. 10).
+// negative (Lundin and others 2007, eq. 10).
 #include <cmath>
 
 #include "haptics/modes.h"

@@ -3,11 +3,12 @@
 //
 // A plane holds the proxy at the surface (haptics/volume/level_contact.h); in a field of samples, at the
 // surface that the picture shows. The plane gives way to a force above its strength, and a proxy that was
-// pressed in deeper than the reach has got through. Friction grows with the depth of the tip (paper 004,
-// 3.1): its coefficient is a function of the depth, times the normal force of the last tick. A magnetic
-// surface also holds a proxy that lies in front of it, by a plane that faces inward. The strength of that
-// plane depends on the height of the tip, not of the proxy: a proxy that is let go moves away, so its height
-// would end the force in one tick.
+// pressed in deeper than ModeSettings::reach has got through. Friction grows with the depth of the tip
+// (paper 004, on a haptic jacket, section 3.1): its coefficient is a function of the depth, times the normal
+// force of the last tick. A magnetic surface also holds a proxy that lies in front of it, by a plane that
+// faces inward. The strength of that plane depends on the height of the tip above the surface. It does not
+// depend on the height of the proxy: a proxy that is let go moves away, so its height would end the force in
+// one tick.
 #include <algorithm>
 
 #include "haptics/modes.h"
@@ -16,7 +17,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Width of the layer at the end of the reach in which the pull of a magnetic surface fades to zero (m).
+/// Width of the layer, at the largest distance at which a magnetic surface still pulls, in which its pull
+/// fades to zero (m).
 constexpr double magnet_fade = 1e-4;
 
 /// Largest friction on the plane that holds the proxy (N).
@@ -33,7 +35,8 @@ double strength_of(const LevelContact& contact, const ModeSettings& settings) {
     return contact.behind ? std::min(strength, max_pull) : strength;
 }
 
-/// Strength with which a magnetic surface holds the proxy (N). It fades to zero at the end of the reach.
+/// Strength with which a magnetic surface holds the proxy (N). It fades to zero at the largest distance at
+/// which the surface acts (ModeSettings::reach).
 double magnet_of(const LevelContact& contact, const ModeSettings& settings, const ModeInput& input) {
     if (contact.behind) return 0;
     const ContactPlane& first = contact.planes[0];

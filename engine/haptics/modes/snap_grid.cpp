@@ -1,6 +1,6 @@
-// Mode `snap_grid`: the hand snaps to the nearest point of a grid, by a point primitive there (paper 001,
-// snap-drag). One point of the grid is the origin of the volume; the grid turns and moves with the volume.
-// Its pitch is a length at the hand, whatever the volume's scale.
+// Mode `snap_grid`: the hand snaps to the nearest point of a grid, by a point primitive there (Lundin and
+// others 2007, snap-drag). One point of the grid is the origin of the volume; the grid turns and moves with
+// the volume. Its pitch (distance between points) is a length at the hand, whatever the volume's scale.
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Mode `surface`: the hand feels a surface at every place of the field. A plane through the proxy resists
-// motion towards smaller values, and a line across the plane gives friction (paper 001, eq. 14). The friction
-// needs the normal force, which is known only after the balance. So the normal force of the last tick is
-// used, at most the surface's strength.
+// motion towards smaller values, and a line across the plane gives friction (Lundin and others 2007, eq. 14).
+// The friction needs the normal force, which is known only after the balance of spring and primitives. So the
+// normal force of the last tick is used, at most the surface's strength.
 #include <algorithm>
 
 #include "haptics/modes.h"

@@ -1,5 +1,5 @@
 // Mode `viscosity`: the space resists motion of the proxy, by a point primitive at the proxy's place of the
-// last tick (paper 001, eq. 9).
+// last tick (Lundin and others 2007, eq. 9).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

@@ -1,5 +1,5 @@
-// Mode `vortex_core`: the hand is pulled towards the core of a vortex, along (curl V) x V (paper 001, eq. 2
-// with a positive factor).
+// Mode `vortex_core`: the hand is pulled towards the core of a vortex, along (curl V) x V (Lundin and others
+// 2007, eq. 2 with a positive factor).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

@@ -1,6 +1,6 @@
-// Mode `vortex_tube`: leaving the core of a vortex meets resistance, as of a wall round it (paper 001, eq.
-// 13). The vector (curl V) x V points to the core of a vortex. Eq. 2 puts a minus before it, which would push
-// away from the core.
+// Mode `vortex_tube`: leaving the core of a vortex meets resistance, as of a wall round it (Lundin and others
+// 2007, eq. 13). The vector (curl V) x V points to the core of a vortex. Eq. 2 puts a minus before it, which
+// would push away from the core.
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

@@ -6,9 +6,9 @@
 #include "haptics/primitives/detail/balance_descent.h"
 #include "haptics/primitives/detail/smoothed_problem.h"
 
-// Method. Each primitive adds a term s |m| to the energy: s is its strength and m the vector from its point,
-// line or plane to x (balance_problem.h). Where m is zero, the term has a kink. A kink is active if it is
-// assumed to hold x.
+// Method. Let x be the place of the proxy that is sought. Each primitive adds a term s |m| to the energy: s
+// is its strength and m the vector from its point, line or plane to x (balance_problem.h). Where m is zero,
+// the term has a kink. A kink is active if it is assumed to hold x.
 //
 //  1. Smoothed problem (smoothed_problem.h): Newton's method, with a smaller smoothing d at each step.
 //  2. Active set (active_set.h): the kinks with |m|^2 < d * (length of the problem). On the path, m falls
@@ -55,9 +55,10 @@ void align(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
-/// Does steps 2 and 3 of the method above from x. Kinks at a squared distance below `square` (m^2) are
-/// assumed to hold x (are active) at first. Up to four such sets are tried, and `best` keeps the best place.
-/// If no place lies on all active kinks, returns the distance by which they miss each other (m), else 0.
+/// Guesses from x which kinks are active, that is hold the proxy, finds the minimum on them, and checks it
+/// (steps 2 and 3 of the method above). The first guess is all kinks at a squared distance below `square`
+/// (m^2). Up to four guesses are tried, and `best` keeps the best place. If no place lies on all active
+/// kinks, returns the distance by which they miss each other (m), else 0.
 double try_active_sets(Problem& problem, vec3 x, double square, double accepted, Solution& best, int& steps) {
     move_origin(problem, x);
     guess_active_set(problem, square);
@@ -89,8 +90,8 @@ double length_of(Problem& problem) {
 /// How fast the smoothing shrinks. Most is given as factors of the gap: how far x is from obeying the
 /// smoothed problem, which next_smoothing() measures (m).
 struct Pace {
-    double good;   ///< factor of the gap after a step as exact as on a quadratic problem
-    double poor;   ///< factor of the gap after a step that is less exact
+    double good;   ///< new smoothing as a factor of the gap, after a step as exact as on a quadratic problem
+    double poor;   ///< the same after a step that is less exact
     double least;  ///< smallest ratio of the new smoothing to the last one
     int rounds;    ///< largest number of Newton steps
 };
@@ -130,7 +131,9 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
             keep_if_better(best, problem, x, bound);
         }
         if (round >= 3) {
-            // Every second round assumes fewer kinks to hold x, for sets with kinks that nearly meet.
+            // A kink is the point, line or plane at which a primitive can hold x. If many rounds have failed,
+            // several kinks may nearly meet, and not all of them hold x. So every second round assumes that
+            // only the nearest ones do.
             const bool small = round >= hard_rounds && round % 2 == 1;
             const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
             Problem guess = problem;
@@ -155,8 +158,9 @@ void reset(Problem& problem, vec3 x) {
     measure_distances(problem, x);
 }
 
-/// Starts at the place with the least energy among those that start_of() tries. The kinks there are assumed
-/// to hold x; from them follow up to three other guesses. Solves nine of ten small sets.
+/// Starts at the place with the least energy among the one that the spring alone would give and the nearest
+/// ones on each kink. The kinks there are assumed to hold x; from them follow up to three other guesses.
+/// Solves nine of ten small sets.
 void try_start(Problem& problem, vec3 x, double accepted, Solution& best, int& steps) {
     x = start_of(problem, x);
     measure_distances(problem, x);
@@ -189,8 +193,8 @@ bool in_range(const Spring& spring) {
            spring.stiffness <= 1e9;
 }
 
-/// Computes the force of each primitive from that of its term. A plane is split into a term and a constant
-/// force.
+/// Computes the force of each primitive from that of its term, its part of the energy. The energy of a plane
+/// is split into a term and a constant force, so both forces are added.
 void share_forces(const PrimitiveSet& set, const Problem& problem, const Solution& solution,
                   Balance& result) {
     std::size_t i = 0;

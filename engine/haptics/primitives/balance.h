@@ -2,7 +2,7 @@
 //
 // The force of each primitive is minus the gradient of a convex function that has a kink at the primitive's
 // point, line or plane. The spring's energy is strictly convex. So the place x of the proxy at which all
-// forces cancel (paper 001, eq. 8) is the only minimum of the energy
+// forces cancel (Lundin and others 2007, eq. 8) is the only minimum of the energy
 //
 //     f(x) = k/2 |x - c|^2 + sum s |x - p| + sum s dist(x, line) + sum s max(0, -(x - p).q) - sum s q.x
 //
@@ -19,11 +19,11 @@ namespace thaum::haptics {
 
 /// A linear spring between the proxy and a fixed centre.
 struct Spring {
-    vec3 centre{};       ///< centre c (m)
+    vec3 centre{};       ///< place c to which the spring pulls (m)
     double stiffness{};  ///< stiffness k, 1e-6 to 1e9 (N/m)
 };
 
-/// Spring and damper between probe and proxy (eq. 3), within the ranges of Spring.
+/// Spring and damper between probe and proxy (Lundin and others 2007, eq. 3), within the ranges of Spring.
 struct ProxyCoupling {
     double stiffness{};  ///< stiffness k, > 0 (N/m)
     double damping{};    ///< damping D, >= 0 (N s/m)
@@ -37,7 +37,7 @@ Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_ve
 
 /// Position of the proxy, forces on it, and accuracy.
 struct Balance {
-    vec3 proxy{};  ///< position x (m)
+    vec3 proxy{};  ///< position x of the proxy (m)
     /// Force of the primitives on the proxy, equal to the spring's force on the hand (N).
     vec3 force{};
     std::array<vec3, primitive_capacity> primitive{};  ///< share of each primitive in `force` (N)
@@ -59,9 +59,9 @@ struct Balance {
 /// 128 steps were unsolved at 500 too.
 inline constexpr int balance_step_budget = 128;
 
-/// Balances spring and primitives (eq. 8). x counts as on a kink if it is closer to the kink than the
-/// rounding of positions: 4e-15 of the coordinates of x or of the primitive's position, or 2e-16 of those of
-/// the farthest position.
+/// Balances spring and primitives (Lundin and others 2007, eq. 8). The place x of the proxy counts as on a
+/// kink if it is closer to the kink than the rounding of positions: 4e-15 of the coordinates of x or of the
+/// primitive's position, or 2e-16 of those of the farthest position.
 Balance balance(const PrimitiveSet& set, const Spring& spring) noexcept;
 
 }  // namespace thaum::haptics

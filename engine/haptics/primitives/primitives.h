@@ -16,7 +16,7 @@ namespace thaum::haptics {
 /// Kind of a primitive (see Primitive). As wide as a double, so that a Primitive has no padding.
 enum class PrimitiveKind : std::uint64_t { directed, point, line, plane };
 
-/// One force on the proxy x (world frame).
+/// One force on the proxy x (world frame), by the equations of Lundin and others 2007.
 ///
 ///     directed   s q                                                    eq. 4
 ///     point      s (p - x) / |p - x|                                    eq. 5

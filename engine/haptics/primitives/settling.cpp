@@ -13,9 +13,9 @@ constexpr double beginning = 0.7, calming = 0.97;
 /// Rise of Settling::bound (N) for each newton of spring force that motion adds in a tick. At a steady speed,
 /// the bound thus settles at 5 times the force that one tick of motion adds.
 constexpr double freeing = 5 * (1 - calming);
-/// Smallest cosine of the angle between the proxy's last step and its way to the balance at which the proxy
-/// counts as going straight on, not as turning. `straight_astray` applies if the balance has moved farther
-/// than motion explains (is_astray).
+/// Smallest cosine of the angle between the proxy's last step and its way to the balance, the place where all
+/// forces cancel, at which the proxy counts as going straight on, not as turning. `straight_astray` applies
+/// if the balance has moved farther than motion explains (is_astray).
 constexpr double straight_on = 0.5, straight_astray = 0.97;
 /// Factors of the pace, the largest change of the force in a tick. `at_turn` shrinks the pace when the proxy
 /// turns. `after_turn` lets it grow in the first `few` ticks that go straight on. It is so small that a proxy

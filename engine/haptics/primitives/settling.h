@@ -43,10 +43,12 @@ inline constexpr std::uint32_t first_ticks = 14;
 /// Range within which a moving tip counts as at rest (m): the flicker of the coarsest encoder.
 inline constexpr double still_range = 1e-4;
 
-/// State of a proxy that settles. All zero means that the proxy is new. No padding.
+/// What is remembered of a proxy to limit its motion in a tick. All zero means that the proxy is new. No
+/// padding.
 struct Settling {
-    vec3 tip{};                ///< place of the tip in the last tick (m)
-    vec3 rest{};               ///< place that follows the tip at a distance of at most `still_range` (m)
+    vec3 tip{};  ///< place of the tip in the last tick (m)
+    /// Place that follows the tip only beyond `still_range`; a tip that flickers within it rests (m).
+    vec3 rest{};
     vec3 step{};               ///< motion of the proxy in the last tick (m)
     vec3 balance{};            ///< place at which spring and primitives were in balance in the last tick (m)
     double pace{};             ///< largest change of the force in a tick (N); 0: the proxy is new
@@ -60,7 +62,7 @@ static_assert(sizeof(Settling) == 7 * sizeof(vec3) + 3 * sizeof(double), "no pad
 
 /// The proxy of the last tick, and the balance to which spring and primitives draw it.
 struct ProxyWay {
-    vec3 from{};            ///< proxy of the last tick (m)
+    vec3 from{};            ///< place of the proxy in the last tick (m)
     vec3 balance{};         ///< place at which spring and primitives are in balance (m)
     vec3 tip{};             ///< place of the tip (m)
     Spring spring{};        ///< spring between tip and proxy, with its damper

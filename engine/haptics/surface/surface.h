@@ -68,16 +68,16 @@ struct Surface {
     std::uint32_t body{};  ///< index in SurfacePatch::bodies
     std::uint32_t part{};  ///< index among the surfaces of its body; the same from tick to tick
     std::uint32_t spare{};
-    vec3 a{}, b{}, c{};  ///< meaning by kind (m, device frame)
+    vec3 a{}, b{}, c{};  ///< parameters of the shape, see SurfaceKind (m, device frame)
 };
 static_assert(sizeof(Surface) == 4 * sizeof(std::uint32_t) + 3 * sizeof(vec3), "no padding");
 
 /// Kind of a texture. As wide as a double, so that a Texture has no padding.
 enum class TextureKind : std::uint64_t {
     none,
-    impact,     ///< a sinusoidal grating
-    vibration,  ///< the same grating, felt along its own normal
-    bumps,      ///< a height map
+    impact,     ///< a sinusoidal grating, felt along the surface's normal
+    vibration,  ///< a sinusoidal grating, felt along the normal of its own slopes
+    bumps,      ///< a map of heights
 };
 
 /// Heights above a surface, fixed to its body. They depend on the place in two directions of the body, u and
@@ -89,8 +89,8 @@ struct Texture {
     TextureKind kind{};
     double amplitude{};   ///< half the greatest height, >= 0 (m)
     double wavelength{};  ///< length of a period, > 0 (m)
-    vec3 origin{};        ///< origin of u and v (m, body frame)
-    /// Directions of u and v (unit, body frame).
+    vec3 origin{};        ///< place of the body where u and v are zero (m, body frame)
+    /// Directions in which u and v grow (unit, body frame).
     std::array<vec3, 2> axes{vec3{1, 0, 0}, vec3{0, 0, 1}};
 };
 static_assert(sizeof(Texture) == sizeof(TextureKind) + 2 * sizeof(double) + 3 * sizeof(vec3), "no padding");
@@ -135,11 +135,11 @@ struct SurfacePatch {
     std::array<SurfaceBody, surface_body_capacity> bodies{};
     std::uint32_t count{};
     std::uint32_t body_count{};
-    BumpMap bumps{};  ///< map of all bodies whose texture is bumps
+    BumpMap bumps{};  ///< heights for all bodies with the texture `bumps`
     /// The patch contains all surfaces within `reach` of `centre`. The proxy stays within that sphere until a
     /// new patch shows what lies beyond. Surfaces that the proxy has not met give no force.
-    vec3 centre{};           ///< centre of the sphere (m)
-    double reach{HUGE_VAL};  ///< radius of the sphere (m)
+    vec3 centre{};           ///< centre of the sphere in which all surfaces are known (m)
+    double reach{HUGE_VAL};  ///< radius of the sphere in which all surfaces are known (m)
 };
 static_assert(sizeof(SurfacePatch) ==
                   surface_capacity * sizeof(Surface) + surface_body_capacity * sizeof(SurfaceBody) +
@@ -150,7 +150,7 @@ static_assert(sizeof(SurfacePatch) ==
 struct SurfaceContact {
     std::uint32_t key{};
     std::uint32_t part{};
-    vec3 force{};  ///< share of the force on the hand; the body gets the opposite (N)
+    vec3 force{};  ///< part of the force on the hand; the body gets the opposite (N)
 };
 
 /// What a contact remembers from tick to tick; no padding.
@@ -160,15 +160,15 @@ struct SurfaceState {
     std::array<SurfaceContact, 3> touched{};
     std::uint32_t contacts{};
     std::uint32_t sliding{};  ///< 1: the proxy slid in the last tick, against friction
-    std::uint32_t begun{};    ///< 0: the proxy starts at the tip
-    std::uint32_t limited{};  ///< 1: the end of the patch's `reach` held the proxy
+    std::uint32_t begun{};    ///< 0: there is no proxy yet; it starts at the tip
+    std::uint32_t limited{};  ///< 1: the end of the space whose surfaces are known held the proxy
 };
 static_assert(sizeof(SurfaceState) == 4 * sizeof(vec3) + 10 * sizeof(std::uint32_t));
 
 /// Place and motion of the tip that touches the surfaces.
 struct SurfaceTip {
-    vec3 position{};  ///< position (m)
-    vec3 velocity{};  ///< velocity (m/s), for damping only
+    vec3 position{};  ///< position of the tip (m)
+    vec3 velocity{};  ///< velocity of the tip (m/s), for damping only
 };
 
 /// Result of one tick of contact.
@@ -186,7 +186,8 @@ struct ContactResult {
 ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
                     double dt) noexcept;
 
-inline constexpr double surface_gap = 2e-10;  ///< distance of the proxy from surfaces (m)
+/// Distance of the proxy from surfaces; with it, rounding decides no side (m).
+inline constexpr double surface_gap = 2e-10;
 
 /// The patch after its bodies have moved on for `seconds` (s).
 SurfacePatch moved_on(SurfacePatch patch, double seconds);

@@ -6,7 +6,8 @@
 //     A   ambient: gravity and guide planes, felt everywhere
 //     R   against the motion, C v: C grows with the opacity, or with the density within a shell, by material
 //     S   along the gradient: grows with the opacity, or with the density within a shell
-//     walls: surfaces of one density that hold the proxy up to a strength (haptics/volume/level_contact.h)
+//     walls: surfaces of one density that stop the proxy unless the hand pushes harder than their strength
+//            (haptics/volume/level_contact.h)
 //
 // The opacity is the picture's: a transfer function of the density times one of the gradient's
 // length. So the hand feels what the eye sees. Walls and shells read densities alone. So a skin that
@@ -73,10 +74,10 @@ struct GuidePlane {
 struct OpacityFeel {
     field::TransferFunction density{};   ///< share of the opacity by the density, 0 to 1
     field::TransferFunction gradient{};  ///< share of the opacity by the gradient's length (per m), 0 to 1
-    double stiffness{};                  ///< force S where the opacity a is 1: S = stiffness a (N)
-    double retarding{};                  ///< drag R / v where a is 1, without the next field: R = (retarding
-                                         ///< a + retarding_always) v (N s/m)
-    double retarding_always{};           ///< drag that does not depend on the opacity (N s/m)
+    double stiffness{};         ///< force S along the gradient where the opacity a is 1: S = stiffness a (N)
+    double retarding{};         ///< drag R / v where a is 1, without the next field: R = (retarding
+                                ///< a + retarding_always) v (N s/m)
+    double retarding_always{};  ///< drag that does not depend on the opacity (N s/m)
     /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a
     /// thin structure instead of slipping off.
     bool attracts{};
@@ -85,17 +86,17 @@ struct OpacityFeel {
 /// A penetrable shell between two densities, viscous inside: S rises from 0 at `low` to `stiffness` at
 /// `high`, and is 0 beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
 struct DensityShell {
-    double low{}, high{};       ///< densities, low < high
+    double low{}, high{};       ///< densities at which the shell begins and ends, low < high
     double stiffness{};         ///< largest force, which the shell reaches at the density `high` (N)
     double retarding{};         ///< drag added at the density `high` (N s/m)
-    double retarding_always{};  ///< drag everywhere within the shell (N s/m)
+    double retarding_always{};  ///< drag at all densities from `low` to `high` (N s/m)
 };
 
-/// The surface of one density. It holds the proxy up to its strength, times the material's stiffness: a
-/// stronger push pokes through. Larger densities are solid.
+/// The surface of one density, behind which larger densities are solid. It stops the proxy until the hand
+/// pushes harder than `strength` times the factor MaterialFeel::stiffness; then the proxy passes through.
 struct DensityWall {
     double density{};
-    /// Push at which the wall lets the hand through, for a material with the factor 1 (N).
+    /// Push at which the wall lets the hand through, in a material whose stiffness factor is 1 (N).
     double strength{};
     double friction{};  ///< coefficient of friction, >= 0
     double reach{};     ///< depth at which the proxy has got through the wall, about the size of a voxel (m)

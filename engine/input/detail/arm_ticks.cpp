@@ -14,9 +14,9 @@
 namespace thaum::input {
 namespace {
 
-/// Progress of the call that runs a tick. The step is a function of the arm's user, with a context that
-/// belongs to the user. A tick may use the context only in the phase `in_step`, during which close_ticks
-/// waits.
+/// Progress of the call that runs a tick. The step is a function of the code that uses the arm, with a
+/// context that belongs to that code. A tick may use the context only in the phase `in_step`, during which
+/// close_ticks waits.
 enum Phase : std::uint64_t { nobody = 0, in_driver = 1, in_step = 2, left_behind = 3 };
 
 /// The entry of an open arm in the table of this process.
@@ -25,7 +25,8 @@ struct Slot {
     /// a call; 0: free.
     std::atomic<std::uint64_t> gate{0};
     std::atomic<ArmTicks*> ticks{nullptr};
-    std::atomic<const char*> thread{nullptr};  ///< servo thread of the newest tick, by its thread_mark
+    /// Servo thread of the newest tick: address of its thread_mark.
+    std::atomic<const char*> thread{nullptr};
 };
 
 constexpr int servo_priority = 50;  // priority above all ordinary threads
@@ -37,7 +38,7 @@ thread_local char thread_mark = 0;  ///< the address of this variable identifies
 
 constexpr std::uint64_t word(std::uint64_t number, Phase phase) { return number << 2U | phase; }
 
-/// The slot that the ticks with this number use.
+/// The entry, in the table of open arms, of the arm whose ticks have this number.
 Slot& slot_of(std::uint64_t number) { return slots[number % slots.size()]; }
 
 bool change(std::uint64_t number, Phase from, Phase to) {
@@ -73,8 +74,8 @@ bool end_ticks(ArmTicks& ticks, ArmFault fault) {
     return false;
 }
 
-/// Force that answers the measurement (N). std::nullopt if the ticks were closed while the driver kept this
-/// call waiting.
+/// Passes the measurement to the step function of the code that uses the arm, and returns the force that it
+/// wants (N). std::nullopt if close_ticks() was called while this tick hung in the driver.
 std::optional<vec3> answer(ArmTicks& ticks, const ArmReading& reading) {
     if (!change(ticks.number, in_driver, in_step)) return {};
     const vec3 force = ticks.tick.step(ticks.tick.context, reading);
@@ -82,8 +83,8 @@ std::optional<vec3> answer(ArmTicks& ticks, const ArmReading& reading) {
     return is_finite(force) ? limited(force, ticks.peak_force) : vec3(0);
 }
 
-/// The force. After the watchdog has ended the force because ticks had stopped, it fades in over
-/// `ramp_ticks`.
+/// The force to send. If ticks had stopped and the watchdog has ended the force, it comes back gradually,
+/// over `ramp_ticks`.
 vec3 resumed(ArmTicks& ticks, vec3 force) {
     constexpr std::uint32_t ramp_ticks = 50;
     if (ticks.stalled.exchange(false)) ticks.resumed = 1;
@@ -169,7 +170,7 @@ bool close_ticks(ArmTicks& ticks) {
         if (gate.compare_exchange_strong(idle, 0)) return true;
         const bool tired = monotonic_ns() > until;
         if (tired && gate.compare_exchange_strong(waits, word(ticks.number, left_behind))) return false;
-        // The step function of the arm's user is short, so this thread waits until it has ended.
+        // The step function of the code that uses the arm is short, so this thread waits until it has ended.
         sleep_until_ns(monotonic_ns() + look_ns);
     }
 }
@@ -211,7 +212,7 @@ void end_broken() noexcept {
         if (!is_of_this_thread(slot)) continue;
         ArmTicks& open = *slot.ticks;
         if (!open.ended) open.driver->write_zero();
-        open.ended = true;  // so that no other thread waits for a tick of this one
+        open.ended = true;  // so that no other thread waits for a further tick of this arm
     }
 }
 

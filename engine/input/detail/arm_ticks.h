@@ -14,7 +14,7 @@ namespace thaum::input {
 /// The ticks of one arm, from `open_ticks` until `close_ticks`.
 struct ArmTicks {
     ArmDriver* driver{};
-    double peak_force{};  ///< limit of the force (N)
+    double peak_force{};  ///< largest force that the arm gets (N)
     ArmTick tick{};
     std::uint64_t number{};  ///< number of the opened arm in this process; 0: none
     TickTimes times{};
@@ -32,16 +32,18 @@ struct ArmTicks {
     /// True: the arm may exert a force, since the last force that it took is not known to be zero.
     std::atomic<bool> pushes{false};
     std::atomic<bool> stalled{false};    ///< true: the watchdog has ended the force since the newest tick
-    std::atomic<bool> unwatched{false};  ///< true: the watchdog must end
-    /// Ticks since they last came again after a stop, at most the length of the ramp of the force that
-    /// follows; used by the servo thread.
+    std::atomic<bool> unwatched{false};  ///< true: the watchdog must end, because the arm is being closed
+    /// Number of ticks since ticks last came again after a stop, while the force is still faded in; 0: it is
+    /// not. Used by the servo thread.
     std::uint32_t resumed{};
 };
 
-/// Gives the ticks a number, by which calls find them. Returns false if max_open_arms are open.
+/// Gives the ticks of an arm a number, by which calls of `run_tick` find them. Returns false if max_open_arms
+/// arms are open already.
 bool open_ticks(ArmTicks& ticks);
 
-/// Runs one tick. Returns false if no further tick is needed.
+/// Runs one tick of the open arm whose ticks have this number: reads the pose, computes the force and sends
+/// it. Returns false if no further tick is needed.
 bool run_tick(std::uint64_t number) noexcept;
 
 /// Asks the system to schedule this thread before ordinary ones (SCHED_FIFO). Returns whether it does, or

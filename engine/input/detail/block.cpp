@@ -45,8 +45,8 @@ std::uint32_t state_of(const DeviceSample& s) {
            std::uint32_t{s.change.percent} << percent_shift;
 }
 
-/// Sets from a number whether the device of a sample is away, and its change of a fader. Returns false if the
-/// number is not one that `state_of` can give.
+/// Sets two fields of a sample from the number that `state_of` gives: whether the device is away, and the
+/// change of a fader for the forces at the hand. Returns false if `state_of` never gives this number.
 bool set_state(DeviceSample& s, std::uint32_t state) {
     s.away = (state & away_bit) != 0;
     s.change = {static_cast<std::uint8_t>(state >> fader_shift),
@@ -275,8 +275,8 @@ Unpacker::~Unpacker() { ZSTD_freeDCtx(zstd_); }
 
 bool Unpacker::unpack(const BlockHeader& header, std::span<const std::byte> payload) {
     if (hash_bytes(payload, log_.salt) != header.payload_checksum) return false;
-    // The payload must be a single frame of the stated size. Otherwise a few bytes could request any amount
-    // of work.
+    // The payload must be a single zstd frame of the size that the block header states. Otherwise a few bytes
+    // could request any amount of work.
     if (ZSTD_getFrameContentSize(payload.data(), payload.size()) != header.raw_size) return false;
     if (ZSTD_findFrameCompressedSize(payload.data(), payload.size()) != payload.size()) return false;
     const auto size =

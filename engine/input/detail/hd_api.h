@@ -125,7 +125,8 @@ ArmFacts facts_of(const Api& api);
 
 /// Measures the current device; called within a frame of the library (hdBeginFrame).
 ArmReading read(const Api& api, std::int64_t now_ns);
-/// Sets the force of the current device (N, device frame); called within a frame of the library.
+/// Sets the force of the current device (N, device frame); called within a frame of the library
+/// (hdBeginFrame).
 void write(const Api& api, vec3 force);
 /// Sets zero force on the current device, in a library frame of its own. Returns whether the library accepted
 /// it.

@@ -6,7 +6,7 @@
 namespace thaum::input::detail {
 namespace {
 
-/// Bits of a device's flags.
+/// Bits of a device's flags in a header of format 1.
 namespace flag {
 constexpr std::uint32_t invert_y = 1U << 0U;
 constexpr std::uint32_t no_forces = 1U << 1U;

@@ -56,8 +56,8 @@ void put_settings(Bytes& out, Setting tag, const std::array<T, n>& values) {
     });
 }
 
-/// Encodes a device's settings. The defaults of the first two may change with the program, so both are always
-/// written.
+/// Encodes a device's settings. Those with their default value are left out, except look_rad_per_count and
+/// turn_rad_per_s: another version of the program may have other defaults for them.
 Bytes settings_of(const DeviceSpec& d) {
     Bytes out;
     put_record(out, Setting::look_rad_per_count, needed,

@@ -10,7 +10,7 @@ bool is_plugged(const PadPlace& place, const std::vector<PluggedPad>& plugged) {
                        [&](const PluggedPad& pad) { return pad.id == place.id; });
 }
 
-/// A free place whose last pad was of this model; null: none.
+/// A free place in the list of pads whose last pad was of this model; null: none.
 PadPlace* free_place_of(PadPlaces& places, const std::string& model) {
     const auto found = std::find_if(places.begin(), places.end(), [&](const PadPlace& place) {
         return place.id < 0 && place.model == model;

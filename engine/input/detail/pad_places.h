@@ -17,7 +17,7 @@ struct PluggedPad {
 };
 
 struct PadPlace {
-    std::int32_t id = -1;  ///< number of the pad in this place; -1: none
+    std::int32_t id = -1;  ///< SDL's number of the pad in this place; -1: none
     std::string model{};   ///< model of the last pad in this place; empty: there never was one
 };
 using PadPlaces = std::array<PadPlace, 4>;

@@ -7,7 +7,8 @@ namespace thaum::input::detail {
 namespace {
 
 constexpr double pad_steps = 255;
-constexpr long step_magnitude = 257;  ///< magnitude of one step: 255 steps make 65,535
+/// Magnitude of one of the 255 steps of a motor, which together make Linux's 65,535.
+constexpr long step_magnitude = 257;
 
 std::uint16_t magnitude(const tactile::TactileFrame& frame, std::size_t actuator) {
     if (actuator >= frame.count) return 0;

@@ -36,7 +36,7 @@ struct Calibration {
     const Api* api{};
     Handle handle{};
     bool update = false;             ///< true: calibrate the arm; false: only query its state
-    std::atomic<bool> asked{false};  ///< true: the library's thread must run it, once
+    std::atomic<bool> asked{false};  ///< true: the library's thread must run the calibration, once
     std::atomic<bool> done{false};
     std::atomic<unsigned int> status{0}, code{0};
 };
@@ -198,14 +198,15 @@ private:
         in_frame_ = false;
     }
 
-    std::string arm_;  ///< name in the vendor's setup
+    std::string arm_;  ///< name of the arm in the vendor's setup
     const Api* api_{};
     Handle handle_ = invalid_handle;
     ArmFacts facts_{};
-    std::atomic<bool> ticks_asked_{false};  ///< true: the library may have run our ticks
-    std::atomic<unsigned long> task_{0};    ///< the scheduler's number for our ticks, once it accepted them
-    std::atomic<bool> accepted_{false};     ///< true: the scheduler has taken our ticks
-    std::atomic<bool> in_frame_{false};     ///< true: the servo thread has begun a frame
+    /// True: the library was asked to run our ticks, and may have run some.
+    std::atomic<bool> ticks_asked_{false};
+    std::atomic<unsigned long> task_{0};  ///< the scheduler's number for our ticks, once it accepted them
+    std::atomic<bool> accepted_{false};   ///< true: the scheduler has taken our ticks
+    std::atomic<bool> in_frame_{false};   ///< true: the servo thread has begun a frame (hdBeginFrame)
     /// true: the servo thread is in a read or write, or between the two.
     std::atomic<bool> in_tick_{false};
     std::atomic<bool> disabled_{false};  ///< true: the library was asked to disable the arm
@@ -213,14 +214,14 @@ private:
     std::atomic<bool> rests_{false};     ///< true: the last tick gave zero force because of `paused_`
     std::atomic<bool> ended_{false};     ///< true: the ticks have ended without being stopped by us
     std::atomic<bool> left_without_force_{false};  ///< true: the library accepted the last zero force
-    /// true: `leave` was called; guarded by the session's mutex.
+    /// true: the arm was closed in the library (`leave`); guarded by the session's mutex.
     bool left_ = false;
     std::array<char, 96> words_{};  ///< the library's text for the fault that ended the ticks
 };
 
 /// Sends zero force in the open frame of the library, or in a new one. If that frame has failed, another one
 /// is tried. The arm is made the current one first, because after a fault in the library's thread another arm
-/// may be.
+/// may be current.
 bool OpenHaptics::write_zero() noexcept {
     if (in_frame_)
         api_->hdMakeCurrentDevice(handle_);
@@ -321,7 +322,7 @@ void OpenHaptics::give_up() {
     leave();
 }
 
-/// Closes the arm in the library. The other arms go on.
+/// Closes the arm in the library. The ticks of the other arms go on.
 void OpenHaptics::leave() {
     auto& s = session();
     if (api_ == nullptr || left_) return;

@@ -39,7 +39,8 @@ ClosingSpeeds closing_at(const btManifoldPoint& point, const btRigidBody* a, con
 /// that this step removes.
 btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
     const btScalar gained = closing.end - closing.start, acceleration = gained / dt;
-    const btScalar at_contact = closing.start * closing.start + 2 * acceleration * gap;  // squared
+    // Square of the closing speed at the time of contact.
+    const btScalar at_contact = closing.start * closing.start + 2 * acceleration * gap;
     const btScalar speed = e * std::sqrt(std::max(btScalar(0), at_contact));
     // Distance of the bodies after dt, except for the part `speed * dt` by which they then move apart.
     const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;
@@ -81,8 +82,9 @@ void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, 
     store_unused_path(*manifold.getBody1(), normal * (most * give_b / (give_a + give_b)));
 }
 
-/// Stores the part of a body's path by which it must be moved back. Two adjacent floors may both request the
-/// same part, so only what exceeds the stored part in that direction is added.
+/// Stores the part of a body's path by which it must be moved back after a bounce, since there was no time
+/// for it. Two adjacent floors may both request the same part, so only what exceeds the stored part in that
+/// direction is added.
 void BouncingWorld::store_unused_path(const btCollisionObject& object, const btVector3& path) {
     const btScalar length = path.length();
     if (length <= 0) return;

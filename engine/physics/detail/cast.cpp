@@ -7,15 +7,15 @@
 namespace thaum::physics::detail {
 namespace {
 
-/// Result for a shape with flat sides; `outward` leads from its nearest point to the given point. At a
-/// distance below `touching`, that direction is only noise.
+/// Nearest point of a shape with flat sides; `outward` leads from it to the given point. At a distance below
+/// `touching`, that direction is only noise.
 NearestPoint beyond(vec3 outward) {
     const double distance = glm::length(outward);
     return {distance, distance > touching ? outward / distance : vec3{}};
 }
 
-/// Result for a shape that contains all points within `radius` of a core; `from_core` leads from the core's
-/// nearest point to the given point.
+/// Nearest point of a shape that contains all points within `radius` of a core; `from_core` leads from the
+/// core's nearest point to the given point.
 NearestPoint round(vec3 from_core, double radius) {
     const double length = glm::length(from_core);
     return {length - radius, length > touching ? from_core / length : vec3{}};

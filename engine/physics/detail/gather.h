@@ -9,7 +9,7 @@ namespace thaum::physics::detail {
 /// Surfaces found so far. When the array is full, the farthest surface is replaced.
 struct NearestSurfaces {
     std::span<Nearby> into;
-    NearbyResult found;  ///< the caller sets `reach` to the requested radius at first
+    NearbyResult found;  ///< what was found; the caller first sets its `reach` to the requested radius
 };
 
 inline bool wanted(const NearestSurfaces& gathering, double distance) {

@@ -20,8 +20,9 @@ struct Body {
     bool was_asleep{};  ///< true: asleep before the step
     BodyDesc desc;
     BodyState state;
-    double reach{};          ///< distance of the body's farthest point from its position (m)
-    double kept_velocity{};  ///< share of the velocity left by damping after a step of damping_dt
+    double reach{};  ///< distance of the body's farthest point from its position (m)
+    /// Share of its velocity that damping leaves the body after a step of damping_dt.
+    double kept_velocity{};
     double kept_spin{};
     /// Velocity that gravity gives in a step of damping_dt, divided by gravity. It is also the path of a body
     /// in that step without gravity, divided by its initial velocity (s).

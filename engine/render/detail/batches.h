@@ -20,7 +20,7 @@ struct GpuInstance {
 /// A coarser copy of a mesh, used if the difference is invisible.
 struct Coarser {
     MeshId mesh{};
-    float error{};  // greatest displacement of a vertex, before the instance's scale (m)
+    float error{};  // greatest distance by which a vertex is moved, before the instance's scale (m)
 };
 /// Coarser copies of one mesh, from the finest to the coarsest. May be empty.
 using Levels = std::vector<Coarser>;
@@ -71,9 +71,9 @@ struct MeshTables {
 std::size_t collect(std::span<const Instance> instances, const MeshTables& meshes, const Sight& sight,
                     Batches& out);
 
-/// Chooses the patches of the batches from `first` on. Sorts the batches by distance, nearest first, so that
-/// objects are drawn before those that they hide. Patchworks (large fixed meshes in patches, such as walls)
-/// come last, since they are behind everything.
+/// Completes the batches (draw calls) from number `first` on: chooses the visible patches of large meshes,
+/// and sorts the batches by distance, nearest first, so that objects are drawn before those that they hide.
+/// Large meshes in patches, such as walls, come last, since they are behind everything.
 void arrange(std::size_t first, std::span<const PatchTable> tables, const Sight& world, Batches& out);
 
 }  // namespace thaum::render::detail

@@ -18,7 +18,7 @@ inline Planes frustum_planes(const fmat4& to_clip) {
     return planes;
 }
 
-/// Returns true if part of the sphere may be inside.
+/// Returns true if part of the sphere may be inside the planes, so in view.
 inline bool within(const Planes& planes, const Bounds& bounds) {
     return std::all_of(planes.begin(), planes.end(), [&](const fvec4& plane) {
         return glm::dot(plane, fvec4(bounds.centre, 1)) > -bounds.radius;

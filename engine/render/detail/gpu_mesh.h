@@ -19,11 +19,11 @@ struct GpuMesh {
 GpuMesh make_mesh();
 void fill_mesh(GpuMesh& mesh, const MeshData& data);
 
-/// Draws a whole mesh with one call and returns the number of triangles. The program must be in use;
-/// `instances` holds Batches::instances.
+/// Draws all instances (placed copies) of a mesh with one call and returns the number of triangles. The
+/// shader program must be in use; `instances` is the buffer with all instances of the frame.
 std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances);
-/// Draws some patches of a large mesh and returns the number of triangles. The program must be in use and
-/// have the instance (set_instance); `indices` holds Batches::patch_indices.
+/// Draws some patches of a large mesh and returns the number of triangles. The shader program must be in use,
+/// and its instance set by set_instance. `indices` is the buffer with the visible patches of the frame.
 std::size_t draw_patches(const GpuMesh& mesh, IndexRange which, const Buffer& indices);
 
 /// Declares a float attribute of the bound vertex array, `start` bytes into the bound buffer.

@@ -11,9 +11,9 @@ namespace thaum::render::detail {
 struct GpuScan {
     Texture density, paint, bricks, table, materials;
     std::array<int, 3> count{};
-    std::size_t bytes{};   ///< bytes for each density texel
+    std::size_t bytes{};   ///< bytes for the density of each sample
     bool filled = false;   ///< true: the textures hold samples
-    bool painted = false;  ///< true: there are colours or materials
+    bool painted = false;  ///< true: the scan has colours or materials
     bool shows = false;    ///< true: at least one brick (of 8^3 samples) has a visible density
     std::uint64_t version{};
     std::uint64_t look{};  ///< hash of everything that decides which bricks have a visible density

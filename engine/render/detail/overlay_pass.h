@@ -26,8 +26,8 @@ private:
     Atlas atlas_;
     VertexArray array_;
     Buffer vertices_;
-    Texture texels_;       // the atlas on the GPU
-    int texels_height_{};  // px
+    Texture texels_;       // texture with the pictures of all characters
+    int texels_height_{};  // height of that texture (px)
     std::vector<OverlayVertex> built_;
 };
 

@@ -8,8 +8,8 @@
 namespace thaum::render::detail {
 namespace {
 
-// Width of the lines on the ground and height of a wizard's eyes (m). Seen from that height, a line starts to
-// fade at the distance at which it is less than a pixel high.
+// Width of the joints between the stones of the ground, and height of a wizard's eyes (m). Seen from that
+// height, a joint starts to fade at the distance at which it is less than a pixel high.
 constexpr float line_width = 0.06F, eye_height = 1.7F;
 
 /// Half size of the box around the mesh.
@@ -79,9 +79,9 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
-        // The plain form of a patch lacks its fine detail. The distance of a patch's nearest point decides
-        // whether the plain form is drawn. A patch behind others may show as soon as the farthest of those is
-        // drawn in its plain form, so its own farthest point decides.
+        // The plain form of a patch (piece of a large mesh) lacks fine detail. The distance of a patch's
+        // nearest point decides whether the plain form is drawn. A patch behind others may show as soon as
+        // the farthest of those is drawn in its plain form, so its own farthest point decides.
         const float across = 2 * patch.bounds.radius;
         const float distance = farthest - (is_behind(patch) ? across / 2 : across);
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
@@ -96,8 +96,8 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
 
 Fading fading_of(float pixel_angle) {
     const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    // At 1.8 times the distance at which it starts to fade, a line is a third of a pixel high and broken into
-    // dashes.
+    // At 1.8 times the distance at which it starts to fade, a joint is a third of a pixel high and broken
+    // into dashes.
     return {from, 1.8F * from};
 }
 

@@ -14,8 +14,8 @@ namespace thaum::render::detail {
 struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
-    /// Angle below which detail need not be drawn: that of one pixel in the middle of the view, times the
-    /// finest_px of the quality (rad).
+    /// Angle below which detail need not be drawn (rad): that of 1 pixel in the middle of the view, or of 2
+    /// pixels at low quality.
     float pixel_angle{};
     std::span<const Hidden> hidden{};
 };
@@ -48,9 +48,9 @@ struct PlacedPatch {
 /// The patches of one large mesh in patches (a patchwork); empty for an ordinary mesh.
 struct PatchTable {
     std::vector<PlacedPatch> patches;
-    /// Indices of all patches in full detail, then those of the plain forms.
+    /// Vertex indices of all patches in full detail, then those of the plain forms.
     std::vector<std::uint32_t> indices;
-    std::uint32_t full_count{};  ///< number of indices of the patches in full detail
+    std::uint32_t full_count{};  ///< number of vertex indices of the patches in full detail
 };
 
 struct JoinedPatches {
@@ -59,8 +59,8 @@ struct JoinedPatches {
 };
 JoinedPatches joined(const Patchwork& patchwork);
 
-/// Distances between which the colour of fine lines fades to its product with Vertex::far_away (m): where the
-/// fading starts and where it is complete.
+/// Distances (m) at which fine lines begin to fade into the colour around them, and at which they have done
+/// so. Their colour is then multiplied by Vertex::far_away.
 struct Fading {
     float from{}, gone{};
 };

@@ -23,7 +23,7 @@ struct DensityRange {
 /// sample, a finite invertible model, and everything that its way of drawing needs.
 bool drawable(const Scan& scan);
 
-/// Bytes per density texel: 1 or 2.
+/// Number of bytes with which the density of a sample is sent: 1 or 2.
 std::size_t density_bytes(const Scan& scan);
 /// Writes the densities of a box of samples as texels, x contiguous.
 void pack_density(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>& out);

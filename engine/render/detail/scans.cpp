@@ -243,7 +243,8 @@ ScanCounts Scans::draw(const ScanView& view, std::span<const SeenScan> seen,
     return drawing.counts;
 }
 
-/// Draws all scans of one kind, surfaces or translucent ones. `again`: the target still holds their picture.
+/// Draws all scans (volumes of samples) of one kind, surfaces or translucent ones. If `again` is true,
+/// nothing has changed since their last picture, which the target still holds: it is shown once more.
 void Scans::draw_look(Drawing& drawing, std::span<const SeenScan> seen, ScanLook look, bool again) {
     const bool solid = look == ScanLook::surface;
     if (std::none_of(seen.begin(), seen.end(), [&](const SeenScan& its) { return its.scan->look == look; }))
@@ -374,8 +375,8 @@ void Scans::set_scan(const MarchProgram& p, const Drawing& drawing, const SeenSc
     glUniform1f(p.level, scan.level);
     put(p.colour, scan.colour);
     glUniform1i(p.painted, all_[scan.id].painted ? 1 : 0);
-    // In a quick picture, rays go on behind objects. If they ended there, the edge of an object in front of
-    // the surface would leave a seam of missing pixels.
+    // With fewer rays than pixels, rays go on behind objects. If they ended there, the edge of an object in
+    // front would leave a seam of missing pixels.
     glUniform1i(p.behind_things, drawing.share == 1 ? 1 : 0);
     glUniform1f(p.sun, scan.sun);
     glUniform1i(p.linear, drawing.view.quality == Quality::high ? 1 : 0);

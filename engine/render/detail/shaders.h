@@ -17,7 +17,7 @@ struct MeshProgram {
     GLint view_projection{}, eye{}, sun_direction{}, sun_colour{}, ambient_above{}, ambient_below{};
     GLint light_position{}, light_colour{}, fog_colour{}, fog_rate{}, detail_range{};
     GLint shadow_matrix{}, shadow_lift{}, shadow_texel{};
-    /// Uniforms of the instance, only in programs that draw a single instance.
+    /// Uniforms of the instance (placed copy of a mesh), only in programs that draw a single one.
     GLint model{}, tint_glow{}, instance_sun{};
 };
 
@@ -49,8 +49,8 @@ struct Programs {
     /// Programs for the sky: one writes tone-mapped pixels, the other linear light, which the last pass
     /// converts.
     SkyProgram sky, sky_of_light;
-    /// Programs for mists: one writes tone-mapped pixels, the other linear light, which the last pass
-    /// converts.
+    /// Programs for mists (steam and spells): one writes tone-mapped pixels, the other linear light, which
+    /// the last pass converts.
     MistProgram mist, mist_of_light;
     /// `shadow` draws the depth of what casts shadows, `shade` flat shades on the ground (parameter:
     /// view_projection).
@@ -72,11 +72,11 @@ MeshProgram mesh_program(Program program);
 /// Loads all programs. The error names the file.
 Expected<Programs> load_programs(const std::filesystem::path& shaders);
 
-/// How to read the sun's shadow map.
+/// What a shader needs to read the sun's shadow map.
 struct ShadowView {
     fmat4 to_map{1};  ///< maps the world to coordinates and depth in the shadow map, 0 to 1
     float lift{};     ///< offset along a surface's normal, against shadows of the surface on itself (m)
-    float texel{};    ///< size of a texel, as a share of the shadow map's width
+    float texel{};    ///< width of a texel, as a share of the shadow map's
 };
 
 void use_mesh_program(const MeshProgram& program, const ViewScene& view, const Sight& sight, Quality quality,

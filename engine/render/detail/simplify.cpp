@@ -73,7 +73,7 @@ std::vector<std::uint32_t> stand_ins(const MeshData& mesh, fvec3 middle, float c
     return out;
 }
 
-/// Rotates the corners to a canonical order that keeps the winding.
+/// Rotates the corners to a canonical order that keeps the winding, so that equal triangles are recognised.
 Triangle min_from(Triangle t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
@@ -97,7 +97,8 @@ MeshData gathered(const MeshData& mesh, std::span<const std::uint32_t> indices,
     return out;
 }
 
-/// A mesh with merged vertices: the stand-in of each vertex, and the corners of the remaining triangles.
+/// A mesh with merged vertices: for each vertex the one whose position it takes, and the corners of the
+/// triangles that remain.
 struct Clusters {
     std::vector<std::uint32_t> stand_in, corners;
 };

@@ -10,7 +10,7 @@ namespace thaum::render {
 
 struct Simplified {
     MeshData mesh;
-    float error{};  ///< greatest displacement of a vertex (m)
+    float error{};  ///< greatest distance by which a vertex was moved (m)
 };
 
 /// Merges the vertices within each cell of a grid around the middle of the mesh. Cells are cubes of width

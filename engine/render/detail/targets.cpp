@@ -17,13 +17,13 @@ void bind(GLint unit, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0);
 }
 
-/// Sets the filter of the texture that the active unit holds.
+/// Sets the filter (interpolation between texels) of the texture in the active texture unit.
 void filter_bound(GLint how) {
     for (const GLenum filter : {GLenum{GL_TEXTURE_MIN_FILTER}, GLenum{GL_TEXTURE_MAG_FILTER}})
         glTexParameteri(GL_TEXTURE_2D, filter, how);
 }
 
-/// Sets the filter of the texture that the unit of pictures holds.
+/// Sets the filter (interpolation between texels) of the drawn picture, a texture that programs read.
 void filter_picture(GLint how) {
     glActiveTexture(GL_TEXTURE0 + picture_unit);
     filter_bound(how);

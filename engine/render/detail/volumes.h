@@ -25,7 +25,8 @@ struct SeenVolume {
 /// Returns true if the volume can be drawn: one texel for each cell, all numbers finite, and an ellipsoid of
 /// positive size.
 bool drawable(const Volume& volume);
-/// Finds the part of the volume that the view sees. `view` has the meaning of SeenVolume::view.
+/// Finds the part of the volume that the view sees. `view` is the place of the view in the target into which
+/// volumes are ray-marched, from the bottom left (px).
 SeenVolume seen(const Volume& volume, const Camera& camera, const Sight& sight, const Rect& view);
 /// Appends the instances that may be partly inside the volume. A patchwork (a large fixed mesh in patches,
 /// such as walls) never counts as inside.

@@ -48,7 +48,7 @@ std::string text_of(const Json& json, std::string_view key) {
     return found != nullptr ? found->string() : std::string();
 }
 
-/// Reads values from a file, and counts those that were wrong.
+/// Reads numbers from a .tact file, and counts those that were wrong.
 class Reader {
 public:
     std::size_t clipped{}, skipped{};
@@ -84,7 +84,7 @@ public:
     bool full{};      ///< true: the file draws more cells than any real file
     bool too_long{};  ///< true: the file draws something after the end of the longest clip that is allowed
 
-    /// Raises a cell to a strength (0 to 1) in one frame.
+    /// Raises the strength of a cell in one frame to this value (0 to 1), unless it is higher already.
     void raise(std::size_t frame, std::size_t cell, double strength) {
         if (++drawn_ > max_drawn) full = true;
         if (full) return;

@@ -27,8 +27,9 @@ inline constexpr std::size_t max_tact_bytes = std::size_t{4} << 20U;
 
 struct TactImport {
     Clip clip{};
-    std::size_t clipped{};  ///< number of values out of their range
-    std::size_t skipped{};  ///< number of parts for other devices, and of entries of unknown form
+    std::size_t clipped{};  ///< number of values in the file that were out of their range
+    /// Number of parts for other devices than the vest, and of entries of unknown form.
+    std::size_t skipped{};
 };
 
 /// Reads a .tact file. Its effects are drawn into the frames of a clip. The error is one line: too large,

@@ -31,7 +31,8 @@ probably not meant, such as an ingredient of which an arena has no niche.
 Exit code 0: no fault; 1: there are faults; 2: wrong usage.
 )";
 
-/// Compiles the shaders if this machine has OpenGL. `thaum doctor` reports a missing OpenGL.
+/// Compiles the shaders if this machine has OpenGL, and reports their faults. A missing OpenGL is no fault of
+/// the data files; `thaum doctor` reports it.
 void add_shaders(const std::filesystem::path& assets, ContentReport& report) {
     const auto data = load_match_data(assets, {});
     if (!data) return;

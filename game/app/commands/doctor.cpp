@@ -60,7 +60,7 @@ struct Finding {
     std::string what;
     State state{};
     std::string detail;
-    std::string advice;  ///< what the user can do; empty: nothing
+    std::string advice;  ///< what the user can do about the finding; empty: nothing
     /// Measured values, as pairs of name and value. The name ends with the unit.
     std::vector<std::pair<std::string, double>> metrics{};
 };

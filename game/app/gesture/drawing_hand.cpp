@@ -76,8 +76,8 @@ vec3 DrawingArm::step(const input::ArmReading& reading) {
     newest_ns_ = reading.time_ns;
     const vec3 at = input::position_of(reading), velocity = haptics::tip_velocity(state_);
     const bool down = reading.buttons != 0;
-    // The viscous force switches on and off with the stroke. Each switch gets a new number, so that the servo
-    // fades to the new force.
+    // The viscous force switches on and off with the stroke. Each switch gets a new number, so that the force
+    // fades to its new value instead of jumping.
     model_.steady_force.number += down == (glm::length(model_.steady_force.force) > 0) ? 0 : 1;
     model_.steady_force.force = down ? -damping_ * velocity : vec3(0);
     samples_.push({{static_cast<double>(reading.time_ns - begin_ns_) * 1e-9, at,

@@ -1,4 +1,5 @@
-// thaum gesture eval: measures accuracy, confusion, time and calibration of a method on a file of strokes.
+// thaum gesture eval: measures accuracy, confusion, time and calibration of a method of recognition on a file
+// of strokes.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,4 +1,5 @@
-// thaum gesture generate: makes the shipped templates, and strokes of synthetic users to test them with.
+// thaum gesture generate: makes the shipped templates (the example strokes of each gesture), and strokes of
+// synthetic users to test them with.
 #include <cstdio>
 #include <filesystem>
 

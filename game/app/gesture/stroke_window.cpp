@@ -24,7 +24,7 @@ constexpr double shown_m = 0.2;  // height of the window in metres of hand motio
 
 /// Arc length of a stroke, without the part that the tremor of a resting hand adds (m).
 double way_of(gesture::Points stroke) {
-    constexpr double step = 5e-4;  // distance too large for tremor (m)
+    constexpr double step = 5e-4;  // least distance between counted points, too large for tremor (m)
     double way = 0;
     for (std::size_t i = 1, from = 0; i < stroke.size(); ++i) {
         const double gone = glm::distance(stroke[from].at, stroke[i].at);

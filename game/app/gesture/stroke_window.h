@@ -9,18 +9,18 @@
 namespace thaum::game::inline app {
 
 struct StrokeWish {
-    std::string name;       ///< name of the gesture
-    std::size_t count = 3;  ///< number of strokes
+    std::string name;       ///< name of the gesture to record
+    std::size_t count = 3;  ///< number of strokes to record
     std::string device;     ///< "mouse", or the name of an arm as for the option --feel
 };
 
 /// Shortest stroke that a match would read.
 struct LeastStroke {
-    double way = 0.015;    ///< arc length (m)
-    double seconds = 0.1;  ///< time from the first to the last point (s)
+    double way = 0.015;    ///< least arc length of a stroke (m)
+    double seconds = 0.1;  ///< least time from the first to the last point of a stroke (s)
 };
 
-/// Why a stroke cannot be a template, and what to do about it. Empty if it can.
+/// Why a stroke cannot be a template (an example of its gesture), and what to do about it. Empty if it can.
 std::string fault_of(gesture::Points stroke, const LeastStroke& least);
 
 /// The strokes drawn so far, and the texts that the window shows about them.

@@ -19,8 +19,8 @@ constexpr std::size_t max_words_shown = 60, max_of_name_shown = 100;
 /// Largest number of sound blocks that one call writes. A device that wants ever more blocks would otherwise
 /// keep a core busy.
 constexpr std::size_t max_at_once = 4;
-/// Number of calls in a row in which the device may take no block before it is given up. TactilePlayer calls
-/// about every 4 ms.
+/// Number of calls in a row in which the device may take no block of sound before it is given up. The thread
+/// that plays on jackets (TactilePlayer) calls about every 4 ms.
 constexpr int max_idle_looks = 500;
 constexpr Tick longest_life = 500;
 /// When the output closes: number of blocks in which the waves fade out, and how often the device is asked to

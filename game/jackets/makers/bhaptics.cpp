@@ -24,9 +24,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds longest_connecting{1000};
 constexpr std::chrono::milliseconds longest_first_reply{300};
-/// Longest time that a request may wait before the connection is ended.
+/// Longest time that a request may wait for the bHaptics Player before the connection to it is ended.
 constexpr std::chrono::milliseconds longest_waiting{500};
-/// Longest time from a ping to its answer before the connection is ended.
+/// Longest time from a ping to the answer of the bHaptics Player before the connection to it is ended.
 constexpr std::chrono::milliseconds longest_pong{1000};
 constexpr std::chrono::milliseconds between_pings{
     250};  ///< shortest time between pings, which go out with requests only
@@ -42,7 +42,7 @@ std::mutex& context_mutex() {
     return mutex;
 }
 
-/// One connection to a Player, used by one thread only.
+/// One connection to a bHaptics Player, the program that drives the vest. Only one thread uses it.
 class PlayerLink {
 public:
     PlayerLink() = default;
@@ -55,7 +55,7 @@ public:
     void send(std::string request);
     /// Sends and receives what is possible at once, without waiting.
     void serve();
-    /// Sends and receives until a condition holds. Returns false if the time was too short.
+    /// Sends and receives until a condition holds. Returns false if it did not hold within the given time.
     template <class Condition>
     bool serve_until(Condition condition, Clock::duration longest);
 
@@ -76,7 +76,7 @@ private:
     lws_context* context_ = nullptr;
     lws* socket_ = nullptr;
     bool up_ = false, failed_ = false;
-    std::string request_{};  ///< request that waits; empty: none
+    std::string request_{};  ///< request that waits to be sent; empty: none
     Clock::time_point queued_{};
     bool pinged_ = false;  ///< true: a ping has not been answered yet
     Clock::time_point pinged_at_{};
@@ -246,7 +246,7 @@ private:
     const NetAddress address_;
     const std::string silent_ = bhaptics_request({});
     std::unique_ptr<PlayerLink> link_{};
-    std::string last_{};     ///< the last request
+    std::string last_{};     ///< the last request that was sent
     double again_at_s_ = 0;  ///< time at which the last request is sent again (s)
 };
 

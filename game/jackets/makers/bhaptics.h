@@ -2,11 +2,11 @@
 // that the vest is paired with. The Player is a program of bHaptics, or one that takes its place, such as the
 // VRCH server.
 //
-// A request is sent when the frame has changed, and again after half of the frame's time to live. Requests
-// are absolute, so a request that waits for a slow Player is replaced by the next one. The connection is
-// ended if the Player takes no request for half a second, answers no ping for a second, or sends a message of
-// more than 64 KiB. So a slow Player does not play outdated requests for long. After that, running motors
-// stop at the end of their request's duration.
+// A request is sent when the frame (the amplitudes of all motors at one moment) has changed, and again after
+// half of the time for which the frame holds. Requests are absolute, so a request that waits for a slow
+// Player is replaced by the next one. The connection is ended if the Player takes no request for half a
+// second, answers no ping for a second, or sends a message of more than 64 KiB. So a slow Player does not
+// play outdated requests for long. After that, running motors stop at the end of their request's duration.
 #pragma once
 #include <memory>
 

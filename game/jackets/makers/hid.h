@@ -1,10 +1,10 @@
 // game/jackets/makers/hid.h: a jacket of 40 motors that takes HID reports
 // (game/jackets/hid_report.h) by USB or Bluetooth.
 //
-// A report is sent when it has changed, and again after half of the frame's time to live. Only an interface
-// with a maker-defined usage page is opened, so no keyboard gets reports by mistake. A device that takes
-// longer than 100 ms for a report gets one report with all motors off and is closed, because its motors would
-// run too late.
+// A report is sent when it has changed, and again after half of the time for which a frame (the amplitudes of
+// all motors at one moment) holds. Only an interface with a maker-defined usage page is opened, so no
+// keyboard gets reports by mistake. A device that takes longer than 100 ms for a report gets one report with
+// all motors off and is closed, because its motors would run too late.
 #pragma once
 #include <functional>
 #include <memory>

@@ -147,7 +147,8 @@ void OscJacket::silence() {
     send_silence();
 }
 
-/// Sends the stop messages that are due. TactilePlayer calls this function often enough.
+/// Sends the stop messages that are due. The thread that plays on jackets (TactilePlayer) calls this often
+/// enough.
 bool OscJacket::is_connected() {
     if (silences_left_ > 0 && Clock::now() >= next_silence_) send_silence();
     return true;

@@ -2,10 +2,10 @@
 // the Wi-Fi vests of the VRCH server.
 //
 // Each message is absolute: it has the strengths of all motors. A message is sent when they have changed, and
-// again after half of the frame's time to live. UDP loses messages, so the message that stops all motors is
-// sent several times. When it is opened, the jacket gets "/ping" with the port of this program, as the VRCH
-// server sends it, and may send heartbeats to that port. The program reads none, so it cannot know whether a
-// jacket listens. If none does, only some small messages are wasted.
+// again after half of the time for which a frame (the strengths at one moment) holds. UDP loses messages, so
+// the message that stops all motors is sent several times. When it is opened, the jacket gets "/ping" with
+// the port of this program, as the VRCH server sends it, and may send heartbeats to that port. The program
+// reads none, so it cannot know whether a jacket listens. If none does, only some small messages are wasted.
 //
 // The jacket itself must stop its motors when no more messages arrive, because over a broken connection the
 // program cannot.

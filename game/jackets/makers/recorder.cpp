@@ -17,7 +17,9 @@ namespace {
 
 constexpr int max_names = 10'000;
 constexpr std::size_t max_of_path_shown = 200;
-constexpr int rows_between_flushes = 125;  ///< few enough that a full disk is noticed within seconds
+/// Number of rows after which they are written to the disk; few enough that a full disk is noticed within
+/// seconds.
+constexpr int rows_between_flushes = 125;
 
 class FeltRecorder final : public JacketOutput {
 public:
@@ -62,7 +64,7 @@ Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesys
 }
 
 Expected<void> FeltRecorder::open() {
-    if (!fault_.empty()) return fail(fault_);  // a full disk is not tried again
+    if (!fault_.empty()) return fail(fault_);  // after a fault, such as a full disk, no other file is tried
     close();
     auto made = start_new(wanted_, path_);
     if (!made) return made.error();

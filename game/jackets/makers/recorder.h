@@ -1,5 +1,6 @@
 // game/jackets/makers/recorder.h: an output that writes the vibrations that one player feels to a CSV file
-// (game/jackets/felt_rows.h): a row for every frame that is not silent. Each match begins at tick 0 again.
+// (game/jackets/felt_rows.h): a row for every frame (the strengths at one moment) in which any is felt. Each
+// match begins at tick 0 again.
 //
 // The recorder replaces no file: if there is a FILE.csv, it writes FILE_2.csv, and so on. The file appears
 // under its name when the session ends, or when the player's jacket is changed. When the disk is full, the

@@ -1,5 +1,5 @@
-// game/lab/window/lab_picture.h: one picture of the lab: the cauldron with its brew and ladle, the figures
-// and the list of keys. The window and the saved pictures share this code.
+// game/lab/window/lab_picture.h: one picture of the lab: the cauldron with its brew and ladle, numbers about
+// the flow, and the list of keys. The window and the saved pictures share this code.
 #pragma once
 #include "game/lab/controls.h"
 #include "game/scene/brew_look.h"
@@ -20,14 +20,14 @@ struct LabEye {
 LabEye turned(const LabEye& eye, double yaw, double pitch, double away_times);
 render::Camera camera_of(const LabEye& eye);
 
-/// What the screen shows besides the brew: keys, figures, messages.
+/// What the screen shows besides the brew: keys, numbers about the flow, messages.
 struct LabPage {
     LabHands hands{};
     LabEye eye{};
     std::string note{};     ///< message about the last action
     double steps_per_s{};   ///< steps computed per second of wall-clock time; 0: not shown
     double text_scale = 1;  ///< text scale from the settings
-    bool panels = true;     ///< true: the panels with keys and figures are shown
+    bool panels = true;     ///< true: the panels with keys and numbers are shown
 };
 
 class LabPicture {
@@ -51,7 +51,7 @@ private:
     render::Frame frame_;
 };
 
-/// Adds the panels: keys on the left, figures on the right.
+/// Adds the panels: keys on the left, numbers about the flow on the right.
 void add_lab_words(render::Overlay& out, const LabState& lab, const LabFigures& figures, const LabPage& page,
                    render::Size size);
 

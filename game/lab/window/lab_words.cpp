@@ -1,4 +1,4 @@
-// Panels beside the brew in the lab: the keys with their actions, and the figures of the flow.
+// Panels beside the brew in the lab: the keys with their actions, and numbers about the flow.
 #include <algorithm>
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // game/lab/window/panels.h: panels with sliders and lists over a picture (Dear ImGui). The lab uses them.
 //
 //     Panels panels(size of text);
-//     events = panels.listening(events of the program)     panels get what happens on them, the program the rest
+//     events = panels.listening(events of the program)     panels get events on them, the program others
 //     panels.begin(size of the window, seconds since the last picture);
 //     ImGui::...                                            between begin and draw
 //     panels.draw();                                        after the renderer's picture, before it is shown

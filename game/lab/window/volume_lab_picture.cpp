@@ -9,10 +9,11 @@
 namespace thaum::game::inline lab {
 namespace {
 
-constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // radii of the balls that show tip and proxy
-                                                               // (m)
-constexpr float newton_m = 0.012F;                             // length of the force arrow per newton (m/N)
-constexpr float view_angle = 0.7F;                             // vertical field of view (rad)
+// radii of the balls that show the device's tip and its proxy, the point that modes and walls hold or lead
+// (m)
+constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;
+constexpr float newton_m = 0.012F;       // length of the force arrow per newton (m/N)
+constexpr float view_angle = 0.7F;       // vertical field of view (rad)
 constexpr double filled_height = 0.7;    // share of the picture's height that a volume fills initially
 constexpr float edge_radius = 0.00015F;  // radius of the lines that show the edges of the workspace (m)
 // Number of layers along the diagonal of a volume, each of which has the opacity that the transfer function
@@ -33,7 +34,7 @@ fmat4 model_of(const field::Placement& placement) {
     return model;
 }
 
-/// Transform of a rod of length 1 m that shows the force as an arrow from the proxy.
+/// Transform of a rod of length 1 m that shows the force on the hand as an arrow. `from`: start of the arrow.
 fmat4 arrow(vec3 from, vec3 force) {
     const auto length = static_cast<float>(glm::length(force)) * newton_m;
     const fvec3 along = length > 0 ? fvec3(glm::normalize(force)) : fvec3(0, 1, 0);
@@ -71,14 +72,16 @@ void add_edges(vec3 workspace, render::MeshId rod, std::vector<render::Instance>
     }
 }
 
-/// Colours of the haze, from cool for the smallest value (`share` 0) to warm for the largest one (1).
+/// Colours of the haze as which a volume is drawn, from cool for the smallest value (`share` 0) to warm for
+/// the largest one (1).
 fvec3 ramp(float share) {
     const fvec3 low = render::colour(0x3E6FB0), middle = render::colour(0xE0A878),
                 high = render::colour(0xFFF4E2);
     return share < 0.5F ? glm::mix(low, middle, 2 * share) : glm::mix(middle, high, 2 * share - 1);
 }
 
-/// Colours of the ribbons by speed: blue, green, red, to differ from the colours of the haze.
+/// Colours by speed of the stream ribbons of a flow: blue, green, red, to differ from the colours of the
+/// haze.
 fvec3 speed_ramp(float share) {
     const fvec3 slow = render::colour(0x2060FF), middle = render::colour(0x40E060),
                 fast = render::colour(0xFF3B2E);

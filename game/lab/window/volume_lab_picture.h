@@ -1,5 +1,5 @@
 // game/lab/window/volume_lab_picture.h: one picture of a volume in the lab: the body or the flow, the tip of
-// the device, its proxy and the force.
+// the device, its proxy (the point that modes and walls hold or lead), and the force.
 #pragma once
 #include <memory>
 #include <vector>
@@ -26,7 +26,8 @@ struct VolumeView {
     double level{};  ///< value (density) at which the surface is drawn
     /// Opacity as a function of the value, 0 to 1, for the translucent look.
     field::TransferFunction opacity{};
-    int ribbons = 40;  ///< number of stream ribbons of a flow, besides the one through the proxy
+    /// number of stream ribbons of a flow, besides the one through the proxy (the point that is felt)
+    int ribbons = 40;
     /// true: the picture is drawn quickly, because the hand, the view or the body moved a short time ago
     bool moving = false;
     bool still = false;  ///< true: the picture is drawn sharply, however long that takes

@@ -295,7 +295,7 @@ void show_modes(VolumeLabPlan& plan, VolumePanelState& state) {
 
 // ---- feel of the body as a whole --------------------------------------------------------------------------
 
-/// Largest value on the slider for a number of a part.
+/// Largest value on the slider for a number of a part of the body's feel (the force law by which it is felt).
 double max_number(const VolumeLab& lab, std::string_view label) {
     if (label == "density" || label == "low" || label == "high") return lab.range.high;
     if (label == "force (N)") return lab.data.device.peak_force;
@@ -317,7 +317,7 @@ bool show_part(const VolumeLab& lab, FeelPart& part) {
     return changed;
 }
 
-/// A part that suits the volume, with numbers that are felt at the first try.
+/// A part of a body's feel (the force law) that suits the volume: its numbers can be felt at the first try.
 FeelPart usual_part(const VolumeLab& lab, FeelKind kind) {
     const double middle = 0.5 * (double{lab.range.low} + double{lab.range.high});
     const double force = 0.8 * lab.data.device.continuous_force;

@@ -27,14 +27,14 @@ struct NextVolume {
 
 /// Settings that a person has made in the panels, and requests for actions.
 struct VolumePanelState {
-    std::vector<LabMode> modes{};    ///< chosen modes
+    std::vector<LabMode> modes{};    ///< chosen haptic modes
     std::vector<FeelPart> feel{};    ///< chosen parts of the force law by which the body is felt
     std::vector<LabPlace> places{};  ///< placements of all volumes
     /// Changed settings (modes, feel, places) for the next step.
     std::optional<VolumeLabSettings> change{};
     bool one_level = true;  ///< true: the surface is drawn at the density at which it is felt
     std::size_t tool{};     ///< index into VolumeLab::data.tools
-    std::string device{};   ///< shown device model of the arm
+    std::string device{};   ///< device model of the arm that the panel shows
     std::optional<std::string> next_device{};  ///< device model that was chosen to replace the present one
     std::optional<NextVolume> open{};          ///< volume to be opened
     std::optional<int> moment{};               ///< time step to which the slider is being dragged

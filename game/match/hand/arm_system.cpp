@@ -9,13 +9,13 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Number of ticks for which further models repeat a press of the panic key, since an arm's thread may
-/// skip models.
+/// Number of ticks for which a press of the panic key is repeated in the haptic models sent to an arm's
+/// thread, since the thread may skip models.
 constexpr std::uint32_t press_kept = 40;
 /// Limit of hand positions (m). No arm reaches farther, but a damaged log might contain more.
 constexpr double furthest = 0.5;
-/// An arm that has come back must be held still for `still_ticks` ticks within `still_within` um before it
-/// gives forces again.
+/// An arm that has sent no samples for a while and then comes back must be held still for `still_ticks` ticks
+/// within `still_within` um before it gives forces again.
 constexpr std::uint32_t still_ticks = 300;
 constexpr std::int32_t still_within = 3000;
 
@@ -68,8 +68,8 @@ void note_still(Arm& arm) {
     if (++arm.still >= still_ticks) arm.away = 0;
 }
 
-/// Chooses who moves the hand: the arm, or the simulated hand while the arm is gone. An arm that has come
-/// back continues from the simulated hand's position.
+/// Chooses who moves the hand: the arm, or the simulated hand while the arm sends no samples. An arm that has
+/// come back continues from the simulated hand's position.
 void note_presence(const MatchContext& context, Arm& arm, HandState& hand_state) {
     if (is_gone(arm)) {
         if (arm.away == 0) take_over(context, arm, hand_state);

@@ -1,6 +1,6 @@
 // game/match/hand/arm_system.h: real arms in a match. In each tick the match takes one sample of each arm and
-// repeats the servo step that the arm's own thread made with that sample, with the haptic model that the
-// thread used then. So the forces of match, replay and arm are equal bit for bit.
+// repeats the servo step, the computation of a force, that the arm's own thread made with that sample and the
+// same haptic model. So the forces of match, replay and arm are equal bit for bit.
 #pragma once
 #include <vector>
 
@@ -18,8 +18,8 @@ void add_arms(MatchContext& context, const std::vector<Arm>& before);
 /// Copies the state of arms from a match into the world of the match that continues it.
 void carry_arms(const std::vector<Arm>& before, ecs::World& world);
 
-/// Adds the system that takes each arm's sample and repeats its servo step. It runs every tick, also in a
-/// pause. Writes HandState.
+/// Adds the system that takes each arm's sample and repeats its servo step (the computation of the arm's
+/// force). It runs every tick, also in a pause. Writes HandState.
 void add_arm_system(MatchContext& context, ecs::Schedule& schedule);
 /// Creates the haptic models, from which the arms' threads compute forces in the next ticks. Must be called
 /// last in a tick. `live`: false switches the forces off, as in a pause.

@@ -37,7 +37,8 @@ bool note_panic_keys(ecs::World& world) {
     return panic;
 }
 
-/// Runs the servo step and the simulated device. Returns the magnitude of the force (N).
+/// Computes the force on the hand (the servo step) and moves the simulated device. Returns the magnitude of
+/// the force (N).
 double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard, const Controls& controls,
             bool panic, HandState& hand_state) {
     const vec3 moved =

@@ -1,5 +1,5 @@
-// game/match/hand/hand_system.h: forces on a wizard's hand, and the hand's position: the servo step and the
-// simulated device, every tick.
+// game/match/hand/hand_system.h: forces on a wizard's hand, and the hand's position: the servo step (the
+// computation of the force) and the simulated device, every tick.
 #pragma once
 #include "game/components/hand_state.h"
 #include "game/stations/cauldron/cauldron.h"
@@ -11,8 +11,8 @@ namespace thaum::game::inline match {
 const haptics::HapticModel& next_model(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
                                        HandState& hand_state, bool panic);
 
-/// Adds the system that moves the hand every tick: it sets the hand's target, makes the servo step and moves
-/// the simulated device.
+/// Adds the system that moves the hand every tick: it sets the hand's target, computes the force on the hand
+/// (the servo step) and moves the simulated device.
 void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Schedule& schedule);
 
 /// Hash of the forces of this tick, chained to the hash of the ticks before.

@@ -25,7 +25,7 @@ double wrapped(double angle) {
     return angle;
 }
 
-/// Turns the view by the sample and by aim assist.
+/// Turns the view by the mouse or stick motion in the sample, and by aim assist.
 void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, double pitch_limit,
           const ViewHelp& help, Gaze& gaze) {
     const double step = spec.turn_rad_per_s * tick_seconds;
@@ -64,7 +64,7 @@ void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Cont
     controls.hand_up = moved(hand::look_up, hand::turn_up);
 }
 
-/// Share of its full deflection from which on a stick draws.
+/// Share of its full deflection from which on a stick draws a stroke.
 constexpr double stick_begins = 0.8;
 
 /// Moves a hand that draws a stroke. Mouse counts move the hand in proportion to how they turn the view, so

@@ -21,8 +21,8 @@ void add_player_rows(const MenuState& s, const MenuContext&, Rows& rows) {
     add_player_settings(s, SettingPage::main, rows);
 }
 
-/// Resets a player's page. The menu cannot name a jacket or a layout, so the player keeps both. What the
-/// player feels has a page of its own.
+/// Resets a player's page. The menu cannot name a jacket or its layout (where its motors sit), so the player
+/// keeps both. What the player feels has a page of its own.
 std::string reset_player(MenuState& s) {
     const auto felt = feel_of(s.settings, s.player);
     auto& own = s.settings.players[s.player];

@@ -21,7 +21,7 @@ void start(MenuState& s, MenuRequest request, const MenuContext& context) {
     if (s.note.empty()) s.request = request;
 }
 
-/// Joins with a device's first press, and starts the match with its second one.
+/// Lets a device join with its first press, and starts the match with its second one.
 void join_or_start(MenuState& s, const MenuContext& context, const Device& device) {
     if (seat_of(s, device))
         start(s, MenuRequest::start, context);
@@ -29,7 +29,8 @@ void join_or_start(MenuState& s, const MenuContext& context, const Device& devic
         join(s, device);
 }
 
-/// Requests the range, or the lessons there (the Apprentice), for one player; the other seat stays empty.
+/// Requests the range, or the lessons there (the Apprentice), for one player; the place of the other player
+/// stays empty.
 void practise(const RowPress& press, MenuRequest request) {
     press.state.seats = {press.device};
     start(press.state, request, press.context);
@@ -39,9 +40,9 @@ void leave_start(MenuState& s, const Device& device, const Rows& rows) {
     if (const auto seat = seat_of(s, device)) {
         s.seats[*seat].reset();
     } else if (device.kind == DeviceKind::pad) {
-        join(s, device);  // as every other button of a pad does
+        join(s, device);  // the button lets its pad join, as every other button of a pad does
     } else {
-        s.pages.back().cursor = s.pages.back().middle = rows.size() - 1;  // Quit is the last row
+        s.pages.back().cursor = s.pages.back().middle = rows.size() - 1;  // moves to Quit, the last row
         s.chooser = device;
     }
 }

@@ -15,7 +15,8 @@ inline constexpr const char* prelude_name = "=prelude";
 
 struct Sandbox::State {
     SandboxLimits limits;
-    lua_State* lua = nullptr;     ///< main state of Lua; only the trusted prelude runs in it
+    /// main state of Lua; only the prelude, trusted Lua code of the program, runs in it
+    lua_State* lua = nullptr;
     lua_State* script = nullptr;  ///< coroutine of the script, if one is loaded
     std::size_t memory = 0;
     std::uint64_t steps = 0;
@@ -25,13 +26,14 @@ struct Sandbox::State {
     /// Thread processor time at which the script must have ended (ns). It is far in the future while no
     /// script runs.
     std::int64_t deadline_ns = std::numeric_limits<std::int64_t>::max() / 2;
-    std::int64_t computed_ns = 0;  ///< processor time used in earlier resumes
+    std::int64_t computed_ns = 0;  ///< processor time that the script has used before the present resume (ns)
     std::int64_t verbs_ns = 0;     ///< processor time used by verbs, the functions of the program (ns)
     std::string name;              ///< name of the script
     std::string output;
     std::string fault;  ///< message of the verb that has just failed
 
-    /// Adds to the counted steps. Returns false once the limit is reached.
+    /// Adds to the steps, of instructions and memory, that the script has used. Returns false once the limit
+    /// is reached.
     bool spend(std::uint64_t count) {
         steps += count;
         exhausted = exhausted || steps > limits.steps;
@@ -46,12 +48,12 @@ inline Sandbox::State& state_of(lua_State* lua) {
 /// Number of instructions between two checks of steps and time.
 inline constexpr int hook_steps = 1000;
 
-/// Adds to the counted steps. Raises an error that no pcall catches once the steps or the processor time are
-/// used up.
+/// Adds to the steps, of instructions and memory, that the script has used. Raises an error that no pcall
+/// catches once the steps or the processor time are used up.
 void charge(lua_State* lua, std::uint64_t steps);
 
-/// Raises "NAME:LINE: message" with the line of the innermost script function, not of the prelude. The
-/// message is on top of the stack.
+/// Raises "NAME:LINE: message" with the line of the script's innermost function, not of the prelude (the
+/// program's own Lua code). The message is on top of the stack.
 int raise_at_script(lua_State* lua);
 
 /// Adds the safe parts of Lua's libraries, and replacements for the others.

@@ -10,8 +10,8 @@
 
 namespace thaum::game::inline scenario {
 
-/// A verb and its name. Names that begin with raw_ are only for the prelude, which wraps these verbs and
-/// removes the names.
+/// A verb and its name. Names that begin with raw_ are only for the prelude, the program's own Lua code,
+/// which wraps these verbs and removes the names.
 struct VerbName {
     const char* name;
     Sandbox::Verb verb;

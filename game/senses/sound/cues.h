@@ -47,7 +47,7 @@ inline constexpr std::array<std::string_view, cues> cue_names{
     "orb_hum",     "carve",      "count_tick",  "count_go",      "last_seconds", "round_won", "round_lost",
     "round_drawn", "music_calm", "music_pulse", "music_tension", "music_final"};
 
-/// Materials that decide how a blow sounds.
+/// Materials of things and ground, by which a blow or a step sounds.
 enum class Material : std::uint8_t { stone, wood, metal, soft };
 Material material_of(Surface surface);
 Cue step_on(Material material);
@@ -55,7 +55,8 @@ Cue hit_on(Material material);
 
 /// Number of a sound in the bank of all loaded sounds; std::nullopt: silence.
 using SoundNumber = std::optional<std::uint32_t>;
-/// Number of each cue's sound in a bank.
+/// Number of each cue's sound in the bank of all loaded sounds. A cue is a sound that the state of a match
+/// causes.
 using CueSounds = std::array<SoundNumber, cues>;
 
 }  // namespace thaum::game::inline senses

@@ -9,7 +9,7 @@ namespace {
 /// Harm that is heard at full strength (HP).
 constexpr double loud_harm = 40;
 
-/// Wand whose shots have this kind of hit; the number of wands if there is none.
+/// Index of the wand whose shots have this kind of hit; the number of wands if there is none.
 std::size_t wand_of_hit(const MatchData& data, EventKind hit) {
     const auto name = name_of(hit);
     for (std::size_t i = 0; i < data.wands.size(); ++i)

@@ -73,7 +73,8 @@ void HeardLines::add(const HeardLine& line) {
         return;
     }
     if (count_ == lines_.size()) {
-        // If there are too many lines, the oldest of the least important ones is dropped.
+        // If there is no room for another line, the oldest unimportant one is dropped, or else the oldest of
+        // all.
         const auto plain =
             std::find_if(lines_.begin(), lines_.end(), [](const auto& l) { return !l.important; });
         const auto leaves = plain != lines_.end() ? plain : lines_.begin();

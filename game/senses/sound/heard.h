@@ -54,16 +54,17 @@ inline constexpr double heard_seconds = 1.6;
 /// Lines of one listener, the oldest first.
 class HeardLines {
 public:
-    /// Adds captions for the voices of one frame that this listener hears. Call pass_frame first.
+    /// Adds captions for the voices (playing sounds) of one frame that this listener hears. Call pass_frame
+    /// first.
     void follow(const audio::AudioFrame& frame, const audio::SoundBank& bank, std::uint32_t listener);
-    /// Advances the age of all lines by one frame.
+    /// Makes all lines one frame older (8 ms), and drops those that are too old.
     void pass_frame();
     /// Adds a line, or renews an equal one. A force has only one line, whose side is updated.
     void add(const HeardLine& line);
     std::span<const HeardLine> lines() const { return {lines_.data(), count_}; }
 
 private:
-    /// Whether a lasting voice gets a caption now. Music gets one only when it begins.
+    /// Whether a lasting voice (a playing sound) gets a caption now. Music gets one only when it begins.
     bool tells(const audio::SoundBank& bank, const audio::Voice& voice, bool loud);
 
     std::array<HeardLine, 8> lines_{};

@@ -20,7 +20,7 @@ struct SoundWriting {
     audio::AudioFrame& out;
 
     Tick played() const { return match.match().played; }
-    /// Bits of the listeners who are this player; 0 if the player does not listen.
+    /// Bits of those listeners who are this player (bit i for listener i); 0 if the player does not listen.
     std::uint32_t ears_of(std::uint32_t player) const;
 };
 
@@ -28,8 +28,8 @@ struct SoundWriting {
 struct Heard {
     vec3 place{};  ///< position of the sound (m, world)
     double gain{1}, pitch{1};
-    std::uint32_t heard_by{3};  ///< bits of the listeners who hear the sound
-    bool at_ear{};              ///< true: played at the ear, without a position
+    std::uint32_t heard_by{3};  ///< listeners who hear the sound: bit 0 for the first, bit 1 for the second
+    bool at_ear{};              ///< true: played at the listener's ear, without a position
     bool sided{};               ///< true: played at the ear, but the caption names the side of `place`
 };
 
@@ -37,7 +37,8 @@ struct Heard {
 /// differs slightly from that of the previous voice.
 void begin(SoundWriting& writing, SoundNumber sound, const Heard& heard);
 void begin(SoundWriting& writing, Cue cue, const Heard& heard);
-/// Adds a voice that lasts until it is missing in a frame. While it lasts, its key is the same in each frame.
+/// Adds a voice (a playing sound) that lasts until it is missing in a frame. While it lasts, its key is the
+/// same in each frame.
 void last(SoundWriting& writing, SoundNumber sound, std::uint32_t key, const Heard& heard);
 
 void add_event_sounds(SoundWriting& writing);

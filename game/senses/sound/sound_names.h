@@ -14,7 +14,7 @@ struct WandSoundNumbers {
     SoundNumber fire, burst, take, ready, hold;
 };
 
-/// Numbers of all sounds of a match in the bank of sounds.
+/// Numbers of all sounds of a match among the loaded sounds (the bank).
 struct MatchSounds {
     CueSounds cues{};
     /// Sounds of events, indexed by EventKind; not those of power-ups and spells.
@@ -22,7 +22,8 @@ struct MatchSounds {
     std::array<SoundNumber, power_up_names.size()> power_ups{};
     std::vector<SoundNumber> spells;      ///< sounds of spells, indexed by the spell's number
     std::vector<WandSoundNumbers> wands;  ///< sounds of wands, in the order of Presentation::wands
-    /// Sounds that are missing in the bank. Sounds with a fault are not listed: the bank reports those.
+    /// Sounds that are missing among the loaded ones (the bank). Sounds with a fault are not listed: the bank
+    /// reports those.
     std::vector<MissingName> missing{};
 };
 

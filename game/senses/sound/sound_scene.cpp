@@ -7,8 +7,8 @@
 namespace thaum::game::inline senses {
 namespace {
 
-/// Full muffling by a wall between ear and source, and the share of the remaining change that is made at each
-/// check.
+/// Muffling by a wall between ear and source (0: none, 1: full), and the share of the remaining change that
+/// is made at each check, so that the muffling does not jump.
 constexpr double wall_muffles = 0.75, wall_share = 0.5;
 /// A wall no farther than this from the source belongs to the source and does not muffle it (m).
 constexpr double own_wall = 0.4;
@@ -34,13 +34,13 @@ double wall_between(const SoundWriting& writing, std::size_t listener, vec3 plac
     return hit && glm::distance(hit->point, place) > own_wall ? wall_muffles : 0;
 }
 
-/// A number from -1 to 1 that differs from voice to voice, by which their pitch is varied.
+/// A number from -1 to 1 that differs from voice to voice (playing sound), by which their pitch is varied.
 double differing(std::uint32_t voice) {
     Random random = random_stream(voice, 0x736f756e64);
     return random.uniform(-1, 1);
 }
 
-/// Copies the state of a match without making sounds for what happened before.
+/// Starts the memory of what was heard anew, so that what happened before makes no sounds.
 void begin_anew(SoundWriting& writing) {
     auto& memory = writing.memory;
     const auto score = memory.score;

@@ -15,17 +15,17 @@
 
 namespace thaum::game::inline senses {
 
-/// State of one wizard's steps, wand and heart at the last frame.
+/// State of one wizard's steps, wand and heart at the last audio frame (8 ms).
 struct WizardSoundMemory {
     Stride stride{};
-    double falling{};  ///< downward speed (m/s)
+    double falling{};  ///< downward speed of the wizard (m/s)
     bool grounded{true}, holds{}, ladle_inside{};
     std::uint32_t selected{}, fired{};
-    Tick heart_at{};               ///< when the heart beats next (ticks of play)
+    Tick heart_at{};               ///< when the wizard's heart beats next (ticks of play)
     std::optional<vec3> chisel{};  ///< position of the tool in a crystal (m, world)
 };
 
-/// Motion of a loose thing at the last frame.
+/// Motion of a loose thing at the last audio frame (8 ms).
 struct ThingSoundMemory {
     vec3 velocity{};
     Tick quiet_until{};  ///< tick before which the thing makes no further sound
@@ -46,9 +46,11 @@ struct SoundMemory {
     std::array<WizardSoundMemory, players> wizards{};
     std::vector<ThingSoundMemory> things;  ///< memory about loose things, indexed by their entity index
     std::array<WallSoundMemory, 16> walls{};
-    /// Counter of checks of walls. Modulo the number of lasting voices, it is the voice to be checked next.
+    /// Counter of checks of walls. Modulo the number of lasting voices (playing sounds), it is the voice to
+    /// be checked next.
     std::uint32_t wall_turn{};
-    std::uint32_t voices_begun{};  ///< number of voices so far, which varies their pitch slightly
+    std::uint32_t voices_begun{};  ///< number of voices (playing sounds) so far, which varies their pitch
+                                   ///< slightly
     Tick fought_at{};              ///< when a wizard last was hurt or fired a shot (ticks of play)
     int second{-1};                ///< last announced second of the countdown or of the last ten seconds
     std::array<double, score_layers> score{};
@@ -59,7 +61,7 @@ public:
     explicit SoundScene(MatchSounds sounds);
 
     /// Writes what the listening players (0, 1 or both) hear in the eight ticks that have passed. After a
-    /// jump of the clock, or a change of the match, no voices are started for the skipped time.
+    /// jump of the clock, or a change of the match, no sounds are started for the skipped time.
     void take(const Simulation& match, std::span<const std::uint32_t> listening, audio::AudioFrame& out);
 
 private:

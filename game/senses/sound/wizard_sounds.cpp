@@ -21,7 +21,7 @@ struct WizardNow {
     const Motion& motion;
     const WandBelt& belt;
     const LoadedWand* wand{};
-    std::size_t wand_number{};  ///< index in MatchData::wands
+    std::size_t wand_number{};  ///< index in MatchData::wands of the wand in hand
 };
 
 vec3 feet_of(const SoundWriting& writing, const WizardNow& wizard) {

@@ -18,12 +18,12 @@ inline constexpr std::size_t felt_bands = felt_band_names.size();
 
 struct FeltBands {
     std::array<audio::Band, felt_bands> bands{};
-    std::array<double, felt_bands> full{};  ///< amplitude that is felt at full strength
+    std::array<double, felt_bands> full{};  ///< for each band, amplitude that is felt at full strength
 };
 /// Loads the frequency bands in which sounds are felt. The error names file, line and key.
 Expected<FeltBands> load_felt_bands(const std::filesystem::path& file);
 
-/// Strength over time of all sounds of a bank, in these bands.
+/// Strength over time, in these frequency bands, of all loaded sounds (the bank).
 struct FeltCourses {
     FeltBands bands{};
     /// Strength over time of each sound, indexed by the sound's number.
@@ -59,9 +59,9 @@ private:
     struct Playing {
         audio::Voice voice{};
         double at{};  ///< time since the voice started (samples of its sound)
-        bool told{};  ///< for lasting voices, true: the voice is in the present frame
+        bool told{};  ///< for a voice that lasts, true: it is in the present frame
     };
-    /// Capacity for voices played once, and for lasting voices; even the largest match has far fewer at the
+    /// Capacity for sounds played once, and for lasting ones; even the largest match has far fewer at the
     /// same time.
     static constexpr std::size_t max_begun = 64, max_lasting = 32;
     /// Sums of squared amplitudes, by group of sounds and frequency band.

@@ -24,7 +24,7 @@ struct FeltSource {
     /// Display name: "Recoil", "Spring", "Weight", "Wall", "Current", "Surface", "Flow", "Crystal"; empty:
     /// none.
     std::string_view name;
-    double newtons{};  ///< the source's force before safety limits (N)
+    double newtons{};  ///< force of this source before safety limits (N)
 };
 
 /// Returns the strongest source. `steady_name` names the steady force of the wand in hand, such as "Weight".

@@ -18,8 +18,10 @@ struct MatchEffects {
     std::vector<EffectNumber> events;  ///< effects of events, indexed by EventKind; not those of spells
     std::vector<EffectNumber> spells;  ///< effects of spells, indexed by the spell's number
     EffectNumber recoil, stir, heartbeat, great_work, walk_left, walk_right;
-    std::array<EffectNumber, felt_bands> sounds{};  ///< effects for the bands of sound, the lowest first
-    /// Effects that are missing in the bank. Effects with a fault are not listed: the bank reports those.
+    std::array<EffectNumber, felt_bands> sounds{};  ///< effects by which sounds are felt: one for each
+                                                    ///< frequency band, the lowest first
+    /// Effects that are missing among the loaded ones (the bank). Effects with a fault are not listed: the
+    /// bank reports those.
     std::vector<MissingName> missing{};
 };
 

@@ -14,7 +14,8 @@ constexpr double full_harm = 60;         ///< harm at which an event is felt at 
 constexpr double full_recoil = 3;        ///< kick of the hand at which a shot is felt at full strength (N)
 constexpr double full_drag = 20;         ///< drag on the ladle at which stirring is felt at full strength (N)
 constexpr Tick quiet_after_event = 250;  ///< time after an event for which no sounds are felt (ticks)
-constexpr double chest = 1.15;           ///< assumed height of a blow whose height is unknown (m)
+constexpr double chest = 1.15;           ///< assumed height above the feet of a blow whose height is unknown
+                                         ///< (m)
 
 /// Smallest change of an arm's angle that is passed to the mixers (rad)
 constexpr double min_raise = 0.02;
@@ -99,7 +100,7 @@ void TactileScene::feel(const BodyCue& cue, Tick now) {
     }
 }
 
-/// Starts an effect, if there is one.
+/// Starts an effect on the body, unless its file is missing or faulty (`effect` has no number).
 void TactileScene::feel(const EffectNumber& effect, BodyCue cue, Tick now) {
     if (!effect) return;
     cue.effect = *effect;
@@ -124,7 +125,7 @@ void TactileScene::feel_events(const Simulation& match) {
     follower_.each_event(match, [&](const Event& event) { feel_event(match, event); });
 }
 
-/// Moves the arm with the wand, the right one, on the layouts that have arms.
+/// Moves the right arm, which holds the wand, as the wizard does, on layouts that have motors on the arms.
 void TactileScene::follow_arm(const Simulation& match, bool anew) {
     if (!any_arms_) return;
     const double raised = raised_arm(match, player_);
@@ -177,7 +178,7 @@ void TactileScene::feel_foes_work(const Simulation& match) {
 
 /// Sounds are felt only when no event is: they are silent for a moment after each event.
 void TactileScene::feel_sound(Tick now) {
-    constexpr double least = 1.0 / 256;  // weaker vibrations do not start a motor
+    constexpr double least = 1.0 / 256;  // smallest strength that is played; less starts no motor
     const bool quiet = now < quiet_until_ && quiet_until_ - now <= quiet_after_event;
     for (std::uint32_t band = 0; band < felt_bands; ++band) {
         const double strength = quiet || sound_.at(band) < least ? 0 : sound_.at(band);

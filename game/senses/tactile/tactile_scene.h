@@ -36,7 +36,7 @@ double since_felt_s(Tick now, Tick felt_at);
 
 class TactileScene {
 public:
-    /// Keeps references to the arguments.
+    /// Keeps references to `effects` and `bank`, which must outlive the scene.
     TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player);
 
     /// Adds a layout (the places of an output's motors) and returns its index, for frame() and the setters.
@@ -49,7 +49,8 @@ public:
 
     /// Sets whether a layout (the motors of one output) also plays sounds. New layouts do not.
     void set_hears(std::size_t layout, bool hears) { outputs_[layout].hears = hears; }
-    /// Sets the strength of sounds in the next frame, 0 to 1; all 0: none.
+    /// Sets how strongly sounds are felt in the next frame, for each frequency band, 0 to 1; all 0: not at
+    /// all.
     void set_sound(const BandStrengths& strengths) { sound_ = strengths; }
 
     /// Makes the frames (strengths of all motors) of the last eight ticks. In a pause and after a jump of the
@@ -83,12 +84,14 @@ private:
         bool has_arms{};  ///< true: some actuators are on an arm or a shoulder
     };
     std::vector<Output> outputs_;
-    std::vector<BodyCue> cues_{};  ///< effects of the last frame; allocated once
+    std::vector<BodyCue> cues_{};  ///< effects that started or lasted in the last frame; the memory is
+                                   ///< allocated once
     BandStrengths sound_{};
     std::array<bool, felt_bands> sounding_{};  ///< frequency bands of sound that are being felt
     Tick quiet_until_{};  ///< value of Simulation::now from which on sounds are felt again
     bool any_arms_{};
-    /// Angle of the wand's arm that the mixers have, counted forwards from hanging down (rad)
+    /// Angle of the arm that holds the wand, as last passed to the mixers, counted forwards from hanging down
+    /// (rad)
     double raised_{};
 
     // State of the match at the last frame, by which jumps of its clock are noticed.

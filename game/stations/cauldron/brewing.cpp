@@ -19,11 +19,12 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
 
 // ---- ingredients ------------------------------------------------------------------------------------------
 
-/// true for each player who has picked up an ingredient in this tick. The player's Pouch enters the World
-/// only after the tick.
+/// true for each player who has picked up an ingredient in this tick. It is needed because the player's
+/// Pouch, the component that holds the ingredient, enters the World only after the tick.
 using Takers = std::array<bool, players>;
 
-/// Gives the ingredient to the nearest wizard in reach with empty hands.
+/// Gives the ingredient that lies in the niche at `place` to the nearest wizard in reach whose hands are
+/// empty.
 void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers& takers) {
     auto& world = context.world;
     const auto& rules = *context.data.cauldron;
@@ -115,8 +116,8 @@ bool holds_thing(const MatchContext& context, ecs::Entity wizard) {
     });
 }
 
-/// Drops the carried ingredient into the brew. Does nothing if all substances of the fluid hold other
-/// ingredients.
+/// Drops the carried ingredient into the brew. The fluid has a fixed number of substances, one for each
+/// ingredient; if all of them stand for other ingredients, nothing is dropped.
 void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint32_t player,
              const Ladle& ladle, const Pouch& pouch, Tick tick) {
     const auto& rules = *context.data.cauldron;
@@ -261,7 +262,8 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 // ---- aura -------------------------------------------------------------------------------------------------
 
-/// Reduces the weight of wizards near a light brew, and of those whom a potion makes light.
+/// Reduces the weight of wizards near a light brew (one of low density), and of those whom a potion makes
+/// light.
 void lift_all(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     const auto& aura = context.data.cauldron->aura;
     const bool light = is_light(aura, cauldron);

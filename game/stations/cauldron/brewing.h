@@ -17,8 +17,9 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 /// tick they reduce the weight of wizards near a light brew.
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
-/// Adds the system that returns a carried ingredient to a niche when its wizard presses Throw and no wand
-/// holds a thing. It must run before the wands, which let go of a thing in the tick of the press.
+/// Adds the system that returns a carried ingredient to a niche (a place where ingredients lie ready) when
+/// its wizard presses Throw and no wand holds a thing. It must run before the wands: they let go of their
+/// thing in the tick of the press, and after that no wand would seem to hold one.
 void add_put_away_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Whether the brew is light enough to lift wizards near it.

@@ -139,8 +139,8 @@ void step_fluid(MatchContext& context, BrewSolver& solver, Cauldron& cauldron, T
     begin_step(context.data, solver, cauldron);
 }
 
-/// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it cause
-/// ripples when they leave.
+/// Advances the brew's simulated surface by one step, with the ladles as probes (bodies that touch it).
+/// Ladles in or above the surface push it; ladles below it cause ripples when they leave.
 void step_surface(MatchContext& context, Brew& brew, Cauldron& cauldron) {
     auto& surface = brew.surface;
     std::array<fluid::SurfaceProbe, players> probes;

@@ -35,7 +35,8 @@ struct BrewWork {
     Brew brew;
     Basin basin;
     std::vector<std::uint32_t> wet;  ///< indices of the cells inside the basin, from Lattice::at
-    /// Viscosity (m^2/s) of the brew's rules, and density of the pure brew relative to them, in this step.
+    /// Viscosity that the rules give the pure brew, without a potion's change (m^2/s), and factor by which a
+    /// potion changes the pure brew's density; both for this step.
     double viscosity{}, density{1};
     fluid::StepReport report{};
     BrewFigures figures{};
@@ -46,7 +47,7 @@ struct BrewWork {
 struct BrewSolver {
     Jobs& jobs;                        ///< thread pool that runs the fluid steps
     std::unique_ptr<BrewWork> work{};  ///< null until a player or a thing touches the brew
-    std::uint64_t bursts_seen{};       ///< number of the next event that may be a burst at the brew
+    std::uint64_t bursts_seen{};  ///< number of the first event not yet searched for bursts over the brew
 };
 
 }  // namespace thaum::game::inline stations

@@ -44,7 +44,8 @@ void note_work(Ladle& ladle, double joules, Tick tick) {
     ladle.work[span] += joules;
 }
 
-/// Position of the ladle's tip (m, brew's frame). The tip is the probe, which is kept inside the bowl's wall.
+/// Position of the ladle's tip (m, brew's frame). It is the haptic probe, the point that the hand moves,
+/// which is kept inside the bowl's wall.
 vec3 tip_of(const HandState& hand_state) { return hand_state.servo.fluid.place; }
 
 vec3 velocity_of(const HandFrame& frame, const HandState& hand_state) {
@@ -102,7 +103,7 @@ double stirred_mass(const MatchData& data, const Cauldron& cauldron) {
            fluid::pushed_volume(data.cauldron->ladle.radius);
 }
 
-/// Sets the parts of the fluid model that stay constant while a player stirs.
+/// Sets the parts of the hand's haptic model of the fluid that stay constant while a player stirs.
 void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron& cauldron, double yaw,
                  std::uint32_t player, haptics::FluidTouch& fluid) {
     const auto& data = *context.data.cauldron;

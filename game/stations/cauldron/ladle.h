@@ -1,5 +1,5 @@
-// game/stations/cauldron/ladle.h: the ladle of a player who holds Stir at the cauldron's rim. The probe moves
-// the ladle, and the wizard stands still.
+// game/stations/cauldron/ladle.h: the ladle of a player who holds Stir at the cauldron's rim. The player's
+// hand moves the ladle by the haptic probe, the point at which it feels forces; the wizard stands still.
 //
 //     hand, device frame --(metres_per_metre, turned to the middle)--> ladle, world --> strokes in the brew
 //     brew's drag on the ladle --(newtons_per_newton)--> hand
@@ -14,7 +14,8 @@
 
 namespace thaum::game::inline stations {
 
-/// Pose of the device frame of a hand that stirs (world). `yaw`: AtStation::yaw.
+/// Pose of the device frame of a hand that stirs (world). `yaw`: direction in which the wizard faces the
+/// station (rad).
 HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, double yaw);
 
 /// Prepares the fluid model of the stirring hand for one tick of play. Samples the flow around the ladle

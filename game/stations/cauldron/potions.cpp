@@ -10,7 +10,8 @@ namespace {
 
 /// Time between two losses of health by poison.
 constexpr Tick poison_period = ticks(1.0);
-/// Time after the beginning of a round at which players are shown the recipes whose order is drawn at random.
+/// Time after the beginning of a round at which players are shown the order of ingredients in recipes that
+/// have a random one.
 constexpr Tick told_after = ticks(1.0);
 
 void note_step(MatchContext& context, const Cauldron& cauldron, std::uint32_t player, Tick tick) {
@@ -78,8 +79,8 @@ const Recipe* finished_mix(const MatchContext& context, const Cauldron& cauldron
     return nullptr;
 }
 
-/// Fault of a stroke that lies in the state of the brew, such as another owner, not in the drawing; none if a
-/// recipe waits for a stroke.
+/// Fault of a stroke that lies not in its drawing but in the brew, such as another owner; none if a recipe
+/// waits for a stroke.
 BrewFault fault_of_brew(const Cauldron& cauldron, const Recipe* recipe, std::uint32_t player) {
     if (cauldron.begun == 0) return BrewFault::unfinished;
     if (cauldron.owner != player) return BrewFault::foreign;
@@ -417,7 +418,7 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     const double lack = std::max(std::abs(fluid.swirl), fluid.rise) - cauldron.speed;
     if (!(lack > 0)) return;
     const auto& rules = *data.cauldron;
-    constexpr double gain = 0.1;                   // share of the missing speed that one push adds
+    constexpr double gain = 0.1;                   // share of the speed still missing that one push adds
     constexpr std::uint32_t pusher = 0xFFFF'0000;  // source (Stroke::by) of the first push by a potion
     const double radius = 1.5 * rules.ladle.radius, out = data.arena.bowl->size.radius / 2;
     const double push = gain * lack * rules.density * fluid.density * fluid::pushed_volume(radius);

@@ -28,8 +28,8 @@ struct RecipeList {
     std::array<std::uint32_t, max_potions> numbers{};
     std::size_t count{};
 };
-/// Recipes that the brew can still become for this player: all recipes if the brew is empty, none after a
-/// fault.
+/// Recipes that this player can still complete with the present brew: all recipes if the brew is empty, none
+/// after a fault.
 RecipeList recipes_open_to(const MatchData& data, const ecs::World& world, const Cauldron& cauldron,
                            std::uint32_t player);
 
@@ -54,7 +54,7 @@ void refuse_fourth(MatchContext& context, const Cauldron& cauldron, std::uint32_
 /// stroke was finished.
 struct BrewStroke {
     StrokeReading reading{};
-    double begun_at{};  ///< value of Cauldron::reached when the stroke began, 0 to 1
+    double begun_at{};  ///< share of the brew reached by the newest ingredient as the stroke began, 0 to 1
 };
 
 /// Judges a stroke that a wizard with a Ladle has drawn, in a gameplay tick. A stroke that was not recognised
@@ -77,8 +77,8 @@ double weight_of(const MatchData& data, const Potions* potions, Tick tick);
 /// Draws the random orders of recipes' ingredients from the match's seed.
 void draw_orders(MatchContext& context, std::uint64_t seed);
 
-/// Shows a player the orders of all recipes whose order is drawn at random. Reads DrawnOrders, writes
-/// EventLog and resource::Journal.
+/// Shows a player the order of ingredients of each recipe whose order was drawn at random. Reads DrawnOrders,
+/// writes EventLog and resource::Journal.
 void tell_order(MatchContext& context, std::uint32_t player, Tick tick);
 
 /// Ends the change of a brew by a potion when its time is up, and drives a brew that swirls or rises. Writes
@@ -88,8 +88,9 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick);
 /// Clears the data about one filling of the cauldron: owner, times, recipe and strokes.
 void forget_filling(Cauldron& cauldron);
 
-/// Adds the systems that end potions, hurt by poison and show the drawn orders of recipes, every gameplay
-/// tick. In an arena with an orb, the orb shows those orders instead (game/stations/orb/scrying.h).
+/// Adds the systems that end potions, hurt by poison and show players the orders of ingredients that were
+/// drawn at random, every gameplay tick. In an arena with an orb, the orb shows those orders instead
+/// (game/stations/orb/scrying.h).
 void add_potion_systems(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game::inline stations

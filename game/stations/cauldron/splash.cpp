@@ -85,8 +85,8 @@ void splash(MatchContext& context, const BrewWork* work, Cauldron& cauldron, con
 /// Greatest height above the level surface at which a burst still pushes the brew (m).
 constexpr double burst_reach = 0.6;
 
-/// Queues the missile bursts of this tick that are near the brew. If the queue is full, a further burst
-/// counts as a repetition of the last one.
+/// Queues the bursts of this tick (missiles that explode) near the brew. If the queue is full, a further
+/// burst counts as a repetition of the last one.
 void note_bursts(MatchContext& context, BrewSolver& solver, const Basin& basin) {
     const auto& journal = context.output.journal.read();
     if (solver.bursts_seen == journal.count()) return;

@@ -1,5 +1,5 @@
-// game/stations/cauldron/splash.h: loose things that fall into the brew, and lobs that burst over it. The
-// brew loses whatever momentum it gives to a thing.
+// game/stations/cauldron/splash.h: loose things that fall into the brew, and lobs (thrown stones that
+// explode) that burst over it. The brew loses whatever momentum it gives to a thing.
 #pragma once
 #include "game/stations/cauldron/cauldron.h"
 

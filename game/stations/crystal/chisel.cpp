@@ -15,8 +15,9 @@ namespace {
 
 using input::Button;
 
-/// Number by which the servo knows the haptic primitives of the first crystal before any edit
-/// (HapticModel::set_number). When the number changes, the servo fades to the new force.
+/// Number by which the servo, the loop that computes the hand's force, knows the haptic primitives of the
+/// first crystal before any edit (HapticModel::set_number). When the number changes, the servo fades to the
+/// new force.
 constexpr std::uint32_t crystal_set = 0x4000'0000;
 /// Difference between the numbers of a crystal's haptic primitives (HapticModel::set_number) before and after
 /// an edit. It is larger than the number of any crystal, so that no two sets have the same number.
@@ -46,7 +47,7 @@ bool is_carved(const ecs::World& world, std::uint32_t number) {
 /// Turns a crystal that shows its narrow side to a wizard who begins to carve, so that the flat side with the
 /// key is in front. Otherwise the hand would begin inside the crystal and could not get out.
 void show_flat_side(const ecs::World& world, const AtStation& station, Crystal& crystal) {
-    // Angle up to which a crystal is left as its last carver turned it (rad)
+    // The crystal stays as its last carver turned it if its flat side is off by at most this angle (rad).
     constexpr double as_left = pi / 6;
     const double off = std::remainder(station.yaw - crystal.yaw, pi);
     if (std::abs(off) <= as_left || is_carved(world, crystal.number)) return;
@@ -106,7 +107,7 @@ void tell(MatchContext& context, const Carver& carver, EventKind kind, std::uint
                      .place = place});
 }
 
-/// Selects the tool that the player chooses with the keys of wands.
+/// Selects the tool by the keys that choose wands elsewhere.
 void choose_tool(MatchContext& context, const Carver& carver, Lens& lens) {
     const auto count = static_cast<std::uint32_t>(context.data.crystal->tools.size());
     const auto& controls = carver.controls;
@@ -121,7 +122,8 @@ void choose_tool(MatchContext& context, const Carver& carver, Lens& lens) {
     if (lens.tool != before) tell(context, carver, EventKind::tool_taken, lens.tool, carver.station.middle);
 }
 
-/// Position of the hand, in its device frame: that of the proxy, which the crystal's surface stops (m).
+/// Position of the hand's proxy (m, device frame). The proxy follows the hand, but the crystal's surface
+/// stops it.
 vec3 felt_place(const HandState& hand_state) {
     const auto& servo = hand_state.servo;
     return servo.primitives == 0 ? hand_state.device.position : servo.proxy;
@@ -243,7 +245,7 @@ void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandSta
                      .strength = rules.surface.strength,
                      .friction = rules.surface.friction,
                      .reach = rules.surface.depth * spacing_of(crystal) / frame.metres_per_metre};
-    // After each edit, by either player, the set has a new number, so that the servo fades to the new force.
+    // Each edit, by either player, gives the primitives a new number, so the servo fades to the new force.
     model.set_number = crystal_set + crystal.number + crystals_apart * crystal.edits;
     model.coupling = {.stiffness = std::min(rules.hand.stiffness, context.data.device.max_stiffness),
                       .damping = std::min(rules.hand.damping, context.data.device.max_damping)};

@@ -2,8 +2,9 @@
 // chip.
 //
 //     World      Crystal, CrystalDensity, CrystalColour     the state
-//     outside    CrystalBodies                              changed bricks, ghost keys, voxel counts: made
-//                                                           again from the state after a restore
+//     outside    CrystalBodies                              changed bricks (blocks of voxels), ghost keys,
+//                                                           voxel counts: made again from the state after a
+//                                                           restore
 //
 // Wizards carve a key from a crystal; the ghost key is its finished shape. A crystal that no one has touched
 // has no voxels and costs nothing: its shape is the rough body of its seed (crystal_shape.h). An edit reads
@@ -57,8 +58,8 @@ using CrystalSeeds = std::vector<std::uint64_t>;
 
 /// Seeds for a new round, which follow those of the present crystals. Empty without crystals.
 CrystalSeeds next_seeds(const ecs::World& world);
-/// Turns the solids of a new round that have the surface "crystal" into untouched crystals. Missing seeds are
-/// 0.
+/// Turns those solids (fixed bodies) of a new round's arena that have the surface "crystal" into untouched
+/// crystals. Missing seeds are 0.
 void spawn_crystals(MatchContext& context, CrystalBodies& bodies, const CrystalSeeds& seeds);
 /// Derives the seeds of the first round's crystals from the match's seed.
 void draw_crystals(MatchContext& context, std::uint64_t seed);
@@ -84,7 +85,8 @@ void count_again(CrystalBodies& bodies, Crystal& crystal, const field::VoxelView
 field::Placement placement_of(const Crystal& crystal);
 /// Distance between neighbouring voxels (m).
 inline double spacing_of(const Crystal& crystal) { return crystal.size / crystal_side; }
-/// Densities of a touched crystal in the crystal frame. Valid until the World's blob is resized.
+/// Densities of a touched crystal in the crystal frame. The grid points into the World's memory for large
+/// data (blob), so it is valid until that is resized.
 field::Grid density_grid(const ecs::World& world, const Crystal& crystal, field::Kernel kernel);
 /// Voxels of a touched crystal.
 field::VoxelView voxels_of(ecs::World& world, CrystalBodies& bodies, const Crystal& crystal);

@@ -10,9 +10,9 @@ namespace {
 
 /// Number of voxels along an edge of the body for which the sizes of parts are given.
 constexpr double usual_voxels = 48;
-/// Half the thickness of the key's bits (voxels).
+/// Half the thickness of the key's bits, the teeth at its end (voxels).
 constexpr double bit_thick = 2.4;
-/// Half the thickness of the key's collar (voxels).
+/// Half the thickness of the key's collar, the disc around its shaft (voxels).
 constexpr double collar_thick = 1.3;
 /// Density from which a voxel counts as solid.
 constexpr float solid = 0.5F;

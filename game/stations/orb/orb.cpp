@@ -8,34 +8,36 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Least and greatest distance of the core from the orb's middle, as a share of the extent (the edge of the
-/// box that the flow fills). The least is not 0, because a probe at rest in the middle must not find the
-/// core.
+/// Least and greatest distance from the orb's middle to the hidden core, the axis of the flow's first vortex,
+/// as a share of the extent (the edge of the box that the flow fills). The least is not 0, because a probe at
+/// rest in the middle must not find the core.
 constexpr double min_off_middle = 0.1, max_off_middle = 0.22;
-/// Half the length of the part of the core that a hand can reach on a device with a shallow workspace, as a
-/// share of the extent (the edge of the box that the flow fills). The conditions for a core hold along this
-/// part.
+/// Half the length of the part of the hidden core (the axis of the flow's first vortex) that a hand can reach
+/// on a device with a shallow workspace, as a share of the extent (the edge of the box that the flow fills).
+/// The conditions under which players can find the core must hold along this part.
 constexpr double searched_half = 0.2;
-/// Maximum distance between the core and the point around which the flow turns, as a share of the extent (the
-/// edge of the box that the flow fills).
+/// Maximum distance between the hidden core (the axis of the flow's first vortex) and the point around which
+/// the whole flow turns, as a share of the extent (the edge of the box that the flow fills).
 constexpr double max_shift = 0.03;
 /// Minimum ratio of the curl of the hidden core's vortex to that of another vortex.
 constexpr double min_lead = 1.2;
-/// Maximum number of flows that are tried. About one in 20 has a core that can be found by hand.
+/// Maximum number of flows that are tried. About one in 20 has a hidden core (the axis of its first vortex)
+/// that can be found by hand.
 constexpr int max_flows = 1000;
 
 double curl_of(const field::RankineVortex& vortex) { return 2 * std::abs(vortex.speed) / vortex.radius; }
 
 vec3 across(vec3 way, vec3 axis) { return way - glm::dot(way, axis) * axis; }
 
-/// Distance between the core's axis and the point beside it around which the whole flow turns, estimated at
-/// one point of the axis (m).
+/// Distance between the axis of the hidden core (the flow's first vortex) and the point beside it around
+/// which the whole flow turns, estimated at one point of the axis (m).
 double shift_at(const field::VortexFlow& flow, vec3 place) {
     const auto& core = flow.vortices[0];
     return glm::length(across(flow(place).value, core.axis)) * core.radius / std::abs(core.speed);
 }
 
-/// Seed of a flow whose core can be found by hand. If all tries fail, the last seed tried.
+/// Seed of a flow whose hidden core (the axis of its first vortex) can be found by hand. If all tries fail,
+/// the last seed tried.
 std::uint64_t seed_of_flow(double extent, std::uint64_t seed) {
     constexpr std::uint64_t stream = 3;
     Random random = random_stream(seed, stream);

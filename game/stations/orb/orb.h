@@ -1,4 +1,5 @@
-// game/stations/orb/orb.h: the scrying orb: its flow, the hidden core, and the frame of the hand that scries.
+// game/stations/orb/orb.h: the scrying orb: its flow, the hidden core (the axis of the flow's first vortex),
+// and the frame of the hand that scries.
 //
 //     hand, device frame --(metres_per_metre, turned to the orb)--> probe, world --> flow about its middle
 //
@@ -17,7 +18,7 @@ field::VortexFlow flow_of(const Orb& orb);
 /// The hidden core: that part of the axis of the flow's first vortex which lies in the orb (m, world).
 struct HiddenCore {
     vec3 middle{};  ///< point of the axis nearest to the orb's middle (m, world)
-    vec3 axis{};    ///< direction of the axis (unit, world)
+    vec3 axis{};    ///< direction of the core (unit, world)
     double half{};  ///< half of the core's length (m)
 };
 HiddenCore core_of(const Orb& orb);
@@ -34,8 +35,8 @@ double distance_from(const HiddenCore& core, vec3 place);
 /// around which the flow turns.
 bool can_be_found(const field::VortexFlow& flow, double extent);
 
-/// Creates the orb of a new match and gives each wizard the strength curves of the rules. `seed` determines
-/// the flow. Does nothing if the match has no orb.
+/// Creates the orb of a new match, and gives each wizard the strength curves with which the rules let haptic
+/// modes begin. `seed` determines the flow. Does nothing if the match has no orb.
 void spawn_orb(MatchContext& context, std::uint64_t seed);
 
 /// The data of an orb that the next round takes over.
@@ -45,10 +46,12 @@ struct OrbMemory {
 };
 /// Data of the present orb for the next round; std::nullopt if there is no orb.
 std::optional<OrbMemory> orb_memory(const ecs::World& world);
-/// Creates the orb of the next round, with another flow. Wizards keep their active modes and curves.
+/// Creates the orb of the next round, with another flow. Wizards keep their active haptic modes and the
+/// strength curves of these.
 void spawn_next_orb(MatchContext& context, const OrbMemory& memory);
 
-/// Pose of the device frame of a hand that scries (world). `yaw`: AtStation::yaw.
+/// Pose of the device frame of a hand that scries (world). `yaw`: direction in which the wizard faces the orb
+/// (rad).
 HandFrame probe_frame(const OrbRules& rules, const Orb& orb, double yaw);
 
 }  // namespace thaum::game::inline stations

@@ -52,7 +52,8 @@ void step_mode(MatchContext& context, const Scryer& scryer, vec3 place, int step
     change_mode(context, scryer, place, next, modes);
 }
 
-/// Changes haptic modes by the keys of wands. While the button Trace is held, these keys cast spells instead.
+/// Changes haptic modes by the keys that choose wands elsewhere. While the button Trace is held, these keys
+/// cast spells instead.
 void choose_modes(MatchContext& context, const Scryer& scryer, vec3 place, const Controls& controls,
                   WornModes& modes) {
     if ((controls.held & bit(Button::trace)) != 0) return;

@@ -1,10 +1,11 @@
 // game/stations/orb/scrying.h: wizards who scry (MANUAL.md, "The orb"): when they begin and end, what it
 // costs, the active haptic modes, and the orb's reward.
 //
-//     Stir held at the orb -> AtStation, Scrying; focus decreases, and none comes back
+//     Stir held at the orb -> AtStation, Scrying; focus (which spells cost, too) decreases, none comes back
 //     key of a wand        -> its mode is switched on or off; next and previous wand change the newest mode
 //     Trace held           -> the hand draws the strength curve of the newest mode, and feels no mode
-//     probe near the core  -> after the hold time the orb shows the player's own recipe orders, once a life
+//     probe near the core  -> after the hold time the orb shows the orders of ingredients that were drawn for
+//                             the player's recipes, once a life (core: the axis of the flow's first vortex)
 #pragma once
 #include "game/components/orb.h"
 #include "game/context/match_context.h"

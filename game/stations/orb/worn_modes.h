@@ -35,8 +35,8 @@ void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
 void refit_modes(const OrbRules& before, const OrbRules& current, WornModes& modes);
 
 /// Fills in the haptic primitives of a hand that scries, for one tick of play: those of the active modes at
-/// the proxy of the last tick. The wizard must scry. A hand that draws a curve gets none. Reads Scrying,
-/// AtStation, WornModes and Orb.
+/// the place of the proxy (the hand's point in the orb) in the last tick. The wizard must scry. A hand that
+/// draws a curve gets none. Reads Scrying, AtStation, WornModes and Orb.
 void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
               haptics::HapticModel& model);
 

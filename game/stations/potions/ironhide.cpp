@@ -17,7 +17,7 @@ public:
     ecs::Mask writes(const ecs::World& world) const override { return world.mask<Health>(); }
 
 private:
-    double share_;  ///< share of every harm that is left
+    double share_;  ///< share of every harm that the wizard still takes
 };
 
 const PotionEffectRegistration registration({

@@ -1,4 +1,4 @@
-// Venom: a potion that lets the wizard's next lob poison those whom it hits.
+// Venom: a potion that lets the wizard's next lob (a thrown stone that explodes) poison those whom it hits.
 #include "game/context/match_context.h"
 #include "game/data/potion_effect.h"
 

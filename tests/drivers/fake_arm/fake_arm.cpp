@@ -182,7 +182,7 @@ private:
     haptics::SimulatedDevice device_{};
     haptics::SimulatedState state_{};
     std::mutex mutex_{};  ///< needed because the engine's watchdog writes while a read hangs
-    vec3 told_{};         ///< last written force (N)
+    vec3 told_{};         ///< force that the program wrote last (N)
     std::uint64_t ticks_ = 0;
     std::uint64_t felt_at_ = 0;   ///< tick of the first force; 0: none yet
     FakeHdLive* live_ = nullptr;  ///< never unmapped, because a tick that hung may return late

@@ -43,8 +43,9 @@ Device* device_of(Library& l, unsigned int handle) {
     return nullptr;
 }
 
-/// Shared by the exported functions that report. An exported function must not call another one: two of these
-/// libraries may be loaded, and then the call would reach the first library.
+/// A report of the library for one arm, shared by the exported functions that give it to tests. An exported
+/// function must not call another one: two of these libraries may be loaded, and then the call would reach
+/// the first library.
 FakeHdReport report_of(std::size_t arm) {
     auto& l = library();
     const Lock lock(l.mutex);
@@ -58,7 +59,7 @@ FakeHdReport report_of(std::size_t arm) {
 }
 
 /// Runs or drops a synchronous task as the script's option `sync` says. Returns true if the caller must not
-/// run the task itself. The old library has no synchronous tasks.
+/// run the task itself. The old version of the library has no synchronous tasks.
 [[maybe_unused]] bool synchronous_goes_wrong(Library& l, Callback run, void* context) {
     if (l.script.is("sync", "never")) return true;
     if (l.script.is("sync", "twice")) return run(context), false;

@@ -23,7 +23,7 @@ struct FakeHdReport {
     /// Number of violations of each rule since hdInitDevice.
     std::array<std::uint32_t, fake_hd_rules> broken;
     std::array<double, 3> force;     ///< force that the arm exerts now (N)
-    double max_force;                ///< largest force of any tick (N)
+    double max_force;                ///< largest force of any tick so far (N)
     std::array<double, 3> position;  ///< position of the tip (m)
     /// Number of calls of tasks after the device was disabled (callback=after_end)
     std::uint64_t calls_after_end;
@@ -35,7 +35,7 @@ struct FakeHdReport {
 /// Layout of the file that the script's option `live` names. The file remains when the program dies.
 struct FakeHdLive {
     std::array<double, 3> force;  ///< force that the arm exerts now, and continues to exert (N)
-    double max_force;             ///< largest force of any tick (N)
+    double max_force;             ///< largest force of any tick so far (N)
     std::uint64_t ticks;          ///< number of ticks of the library's thread
     std::uint64_t initiated;      ///< 1 while a program holds the device
     std::array<double, 3> left;   ///< force at hdDisableDevice (N)

@@ -52,11 +52,11 @@ struct Device {
     haptics::SimulatedDevice device{};
     haptics::SimulatedState arm{};
     bool initiated = false, frame = false, force_output = false, clamping = false, updated = false;
-    vec3 told{};     ///< force of the last completed frame (N)
-    vec3 setting{};  ///< force set in the open frame (N)
+    vec3 told{};     ///< force that the program set in the last completed frame (N)
+    vec3 setting{};  ///< force that the program has set in the open frame (N)
     std::uint64_t ticks = 0;
     FakeHdReport report{};       ///< what tests may ask: force, largest force, position, last force
-    FakeHdLive* live = nullptr;  ///< mapped file, never unmapped
+    FakeHdLive* live = nullptr;  ///< file for tests, mapped into memory and never unmapped
     std::vector<std::array<double, 6>> recorded{};
     int buttons = 0;
     bool went_wrong = false, came_back = false;
@@ -71,7 +71,7 @@ struct Library {
     std::size_t current = 0;          // index of the current device
     std::vector<unsigned int> errors{};
     std::vector<Task> tasks{};
-    Task newest_ticks{};  // the asynchronous task scheduled last
+    Task newest_ticks{};  // asynchronous task that the program has scheduled last
     unsigned long next_task = 1;
     FakeHdReport report{};  // the library's ticks, violations, calls after the end, and stops
     std::map<std::string, std::uint64_t> calls{};  // number of calls of each function with a scripted fault
@@ -93,7 +93,8 @@ void push(Library& l, unsigned int code);
 /// Counts a violation and adds an error with this code to the error stack.
 void broken(Library& l, FakeHdRule rule, unsigned int code);
 bool on_own_thread(const Library& l);
-/// Whether the caller may read or set the state of the current device now.
+/// Whether the caller may read or set the state of the current device now, that is inside a frame and in the
+/// right thread.
 bool may(Library& l);
 
 Device& current(Library& l);
@@ -118,9 +119,10 @@ void start_threads(Library& l);
 void stop_threads(Library& l);
 /// Runs every task once. `synchronous_only` skips tasks of hdScheduleAsynchronous.
 void run_tasks(Library& l, bool synchronous_only);
-/// Calls the last task of hdScheduleAsynchronous once more, even if the program has already ended it.
+/// Calls the task for ticks, which hdScheduleAsynchronous has got last, once more, even if the program has
+/// already ended it.
 void call_ticks(Library& l);
-/// Repeats call_ticks in a thread of its own.
+/// Repeats call_ticks in a thread of its own, to simulate a library that calls tasks after their end.
 void call_after_end(Library& l);
 
 }  // namespace thaum::fake_hd

@@ -19,7 +19,7 @@ double spoilt(const std::string& how, double well) {
     return how == "zero" ? 0 : well;
 }
 
-/// Calls the tick task again, inside a library function that this task has called.
+/// Calls the program's tick task again, inside a library function that this task has called.
 void call_back(Library& l) {
     thread_local bool within = false;
     if (within) return;

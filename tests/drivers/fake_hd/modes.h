@@ -25,7 +25,7 @@ struct CallRow {
     const char* with = "";  ///< further options of the script, without which the function is not called
 };
 
-/// Functions that fail or block from their first call on.
+/// Functions of the library that fail or never return, from their first call on.
 inline constexpr auto calls_that_never_work = [] {
     using enum Ending;
     return std::to_array<CallRow>({

@@ -64,7 +64,7 @@ void run_thread(Library& l) {
     }
 }
 
-/// Calls the tick task from a second thread, independently of the first.
+/// Calls the program's tick task from a second thread, independently of the library's first one.
 void run_second_thread(Library& l) {
     while (l.running) {
         call_ticks(l);

@@ -1,4 +1,4 @@
-// The precompiled headers of the engine's tests.
+// The headers that most sources of the engine's tests include, compiled once.
 #pragma once
 #include <gtest/gtest.h>
 

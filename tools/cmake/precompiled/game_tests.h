@@ -1,4 +1,4 @@
-// The precompiled headers of the game's tests.
+// The headers that most sources of the game's tests include, compiled once.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -53,7 +53,7 @@ vec3 freest_normal(const Flat& flat, const Term& term) {
     return length > 1e-9 ? free / length : normals_to(term.q)[0];
 }
 
-/// Moves x onto the line or plane of a term, and returns that line or plane.
+/// Moves x onto the line or plane of a primitive, given by its term, and returns that line or plane.
 Flat flat_of(const Term& term, vec3& x) {
     x -= project(term, x) - term.offset;
     if (term.identity == 0) return {{term.q}, 1};
@@ -113,8 +113,8 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
 
 namespace {
 
-/// The matrix restricted to the flat, the space within which x may move. In the other directions it gets the
-/// spring's stiffness, so that it stays invertible.
+/// The energy's second derivative `m`, restricted to the flat, the space within which x may move. In the
+/// other directions it gets the spring's stiffness, so that it stays invertible.
 Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
     Symmetric result = m;
     for (std::size_t i = 0; i < flat.count; ++i) {

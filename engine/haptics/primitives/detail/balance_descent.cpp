@@ -14,7 +14,7 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     for (const Term& term : terms_of(problem)) missing += term.dual;
     const double rounding = epsilon * problem.strength;
     for (int round = 0; round < 200; ++round) {
-        if (round % 16 == 15) ++steps;  // 16 rounds cost as much as one step
+        if (round % 16 == 15) ++steps;  // 16 rounds take as long as one Newton step
         double change = 0;
         for (Term& term : terms_of(problem)) {
             if (!term.active) continue;
@@ -29,8 +29,8 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     return missing;
 }
 
-/// Slope of the energy along the step, at the fraction t of it; the term `but`, if any, and active terms do
-/// not count.
+/// Slope of the energy along the step, at the fraction t of it. The terms whose kinks are assumed to hold x
+/// do not count, nor does the term `but`, if any.
 double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Term* but) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {

@@ -19,20 +19,21 @@ inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 inline bool budget_spent(int steps) { return steps >= balance_step_budget; }
 
-/// The term strength |P x - offset| in the problem's frame, with P = identity I + dyad q q^T.
+/// Part of the energy by one primitive: strength |P x - offset| in the problem's frame, P = identity I + dyad
+/// q q^T.
 struct Term {
     vec3 q;
     double identity, dyad;
     double strength;
     vec3 position, direction;  ///< position p and direction q of the primitive (world frame)
     vec3 offset;
-    vec3 dual;      ///< y: the term's force is -y; |y| <= strength
-    vec3 distance;  ///< m = P x - offset at the x measured last
+    vec3 dual;      ///< y: the term's force is -y; |y| <= strength (N)
+    vec3 distance;  ///< m = P x - offset: way from the kink to x when last measured (m)
     /// Error of a distance from the kink (m), because this primitive's position and the farthest one of the
     /// set are rounded.
     double rounding;
     std::size_t source;  ///< index of the primitive in the set
-    bool active;         ///< x is assumed to lie on its kink
+    bool active;         ///< true: x is assumed to lie on the term's kink
 };
 
 /// The terms of a problem, one for each kink. They take 3 KB and are copied at each guess, so only those in

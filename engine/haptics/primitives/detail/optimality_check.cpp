@@ -34,9 +34,10 @@ double worst_misfit(const Problem& problem, vec3 x) {
 /// (N); 1 % of the strength more, so that it never is zero.
 double remaining_strength(const Term& term) { return 1.01 * term.strength - glm::length(term.dual); }
 
-/// Sum of all forces at x, which must vanish, and the strength that the active terms have left to cancel it.
+/// Sum of all forces at x, which must vanish, and the strength that the active terms (whose kinks are assumed
+/// to hold x) have left to cancel it.
 struct Shortfall {
-    vec3 force{};      ///< missing force (N)
+    vec3 force{};      ///< sum of all forces, which a balance lacks (N)
     Symmetric room{};  ///< sum of the active terms' projectors, weighted by their remaining strength (N)
     double most{};     ///< sum of the active terms' remaining strengths (N)
 };
@@ -53,8 +54,8 @@ Shortfall shortfall(Problem& problem, vec3 gradient) {
     return result;
 }
 
-/// Gives the force that is missing for balance to the active terms, in proportion to the strength that each
-/// has left.
+/// Gives the force that is missing for balance to the active terms (whose kinks are assumed to hold x), in
+/// proportion to the strength that each has left.
 void distribute(Problem& problem, const Shortfall& missing) {
     Symmetric room = missing.room;
     add_identity(room, 1e-14 * missing.most);

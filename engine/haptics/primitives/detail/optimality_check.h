@@ -13,7 +13,7 @@ struct Solution {
     vec3 proxy;  ///< position of the proxy (m, world)
     /// Bound of the error of the force (N, Balance::residual); infinite before the first solution.
     double residual = std::numeric_limits<double>::infinity();
-    /// Forces of the terms, in their order (N, world frame).
+    /// Forces of the problem's terms (one for each primitive with a kink), in their order (N, world frame).
     std::array<vec3, primitive_capacity> pulls;
 };
 
@@ -23,8 +23,9 @@ void keep_if_better(Solution& best, const Problem& problem, vec3 x, double resid
 /// Largest distance between x and a kink of the active set, which is assumed to hold x (m); 0 if x lies on
 /// all of them but for rounding.
 double spread_of_active(Problem& problem, vec3 x);
-/// Distributes the force that is missing for balance over the active terms, by the strength that each has
-/// left, and repeats with the force that is still missing. Returns what they cannot exert (N).
+/// Distributes the force that is missing for balance over the active terms (whose kinks are assumed to hold
+/// x), by the strength that each has left. Repeats this with the force that is still missing. Returns what
+/// they cannot exert (N).
 vec3 balance_active(Problem& problem, vec3 x);
 /// Length of the sum of all forces at x (N), whichever terms are assumed to hold x. The force of every term
 /// becomes the one that its primitive exerts at x, unless x lies on its kink.

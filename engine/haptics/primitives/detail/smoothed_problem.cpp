@@ -3,7 +3,7 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// Slope of the smoothed energy along the step, at the fraction t of it (N m).
+/// Slope of the smoothed energy (with its kinks rounded off) along the step, at the fraction t of it (N m).
 double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, double t) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {

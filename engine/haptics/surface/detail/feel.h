@@ -9,7 +9,7 @@ namespace thaum::haptics {
 
 /// Push of a wall (a plane at a touched surface, walls.h) on the tip, with the surface's texture.
 struct TexturedPush {
-    double depth{};    ///< depth that the hand feels (m)
+    double depth{};    ///< depth of the tip that the hand feels, texture included (m)
     vec3 direction{};  ///< direction of the push; a unit vector except for bumps, where it is longer
 };
 

@@ -89,7 +89,7 @@ struct Path {
     /// a place of this line to the curve in which the two pieces of surface meet (onto_both).
     vec3 from{}, way{};
     bool has_end{};  ///< for two pieces: true if `end` is the place at parameter 1
-    vec3 end{};      ///< for two pieces: last place (m)
+    vec3 end{};      ///< for two pieces: last place of the path (m)
     /// Point of the core (centre or axis of the piece) nearest to the tip (m). This field and those below are
     /// for one piece.
     vec3 core{};
@@ -202,7 +202,7 @@ struct Loads {
 struct Track {
     const Scene* scene{};
     const Walls* walls{};
-    SurfaceSet own{};  ///< surfaces on which the path lies
+    SurfaceSet own{};  ///< surfaces on which the path lies, which it cannot meet
     Path path{};
     vec3 tip{};
     std::array<double, 2> friction{};  ///< coefficient of friction of each wall while the proxy slides
@@ -314,8 +314,9 @@ double fails_at(const Condition& condition, double end) {
     return first;
 }
 
-/// First place on the path between the parameters `from` and `to` where a wall releases the proxy or friction
-/// holds it; `to` if there is none. At `from`, with the loads `start`, neither happens.
+/// First place on the path between the parameters `from` and `to` where a wall (plane at a touched surface)
+/// releases the proxy or friction holds it; `to` if there is none. At `from`, with the loads `start`, neither
+/// happens.
 double hold_between(const Track& track, double from, const Loads& start, double to) {
     constexpr double exact = 1e-16;
     double end = to;
@@ -379,7 +380,7 @@ bool on_its_pieces(const Track& track, double s) {
 /// continues beyond it, along tangent planes that have the whole of each body behind them. Otherwise the
 /// proxy would hang on the edge.
 double end_of_pieces(const Track& track, double end) {
-    constexpr double over_an_edge = 5 * surface_gap;  // length by which the path continues (m)
+    constexpr double over_an_edge = 5 * surface_gap;  // length by which a path continues over an edge (m)
     const double last = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
     const vec3 start = track.at(0);
     if (glm::length(track.at(last) - start) > place_tolerance) return last;
@@ -405,7 +406,7 @@ vec3 outward(const Path& path, vec3 y) {
     return (a + b) / std::max(steepest, 1 + glm::dot(a, b));
 }
 
-/// A surface that a path meets besides its own, or none.
+/// A surface that a path meets besides those on which it lies, or none.
 struct Obstacle {
     bool met{};
     vec3 place{};  ///< place on the path's tangents where it is met (m)
@@ -421,7 +422,7 @@ Obstacle obstacle_on(const Scene& scene, const Sweep& way, SurfaceSet passed_ove
 /// first place over an apex to its last, and stay outside the surfaces on which the path lies.
 struct Tangents {
     vec3 from{}, apex{}, to{};
-    double reach{};  ///< largest distance of a place of these lines from `from` (m)
+    double reach{};  ///< largest distance of these lines from their start (m)
 };
 
 /// The two tangents that stand for a path between the parameters `from` and `to`. `a` is the place at `from`.
@@ -455,7 +456,8 @@ Obstacle travel(const Track& track, double end, int& sweeps_left) {
     // 1e-15 m of the path.
     constexpr double shortest = 1e-9;
     constexpr int max_parts = 200;
-    constexpr int per_part = 2;  // cost of computing the places of a part, counted in sweeps of a surface
+    // Cost of computing the places of a part, in tests of a path against one surface.
+    constexpr int per_part = 2;
     const Scene& scene = *track.scene;
     const int surfaces = static_cast<int>(scene.flat_count + scene.solid_count);
     if (alone(scene, *track.walls)) return {.place = track.at(end)};
@@ -501,7 +503,7 @@ Track track_of(const Scene& scene, const Walls& walls, vec3 x, const RoundGoal& 
     return track;
 }
 
-/// Removes the wall with the smallest depth, which holds the proxy least.
+/// Removes the wall (plane at a touched surface) with the smallest depth, which holds the proxy least.
 void min_drop(Walls& walls) {
     if (walls.count == 2 && walls.items[0].depth < walls.items[1].depth) walls.items[0] = walls.items[1];
     --walls.count;
@@ -517,9 +519,9 @@ RoundEnd step_to_corner(const Scene& scene, SlideState& slide, vec3 corner) {
     return way.length * std::min(hit.at, 1.0) > place_tolerance ? RoundEnd::moved : RoundEnd::rests;
 }
 
-/// Adds a wall if the proxy stands at one more surface that blocks its way to `tangent`: the path has to
-/// follow this surface too, so the wall must be known before the path is computed. Returns false if there is
-/// none.
+/// Adds a wall if the proxy stands at one more surface that blocks its way to `tangent`, the place that it
+/// heads for. The path has to follow this surface too, so the wall must be known before the path is computed.
+/// Returns false if there is no such surface.
 bool add_blocking(const Scene& scene, SlideState& slide, vec3 tangent) {
     if (alone(scene, slide.walls)) return false;
     const Sweep ahead(slide.x, tangent - slide.x);

@@ -37,7 +37,7 @@ struct RoundGoal {
 };
 
 /// Moves the proxy along its walls, at least one of which is round. It stops where friction holds it, the
-/// walls release it, another surface begins or the patch ends.
+/// walls release it, another surface begins, or the space ends whose surfaces are known.
 RoundEnd slide_round(const Scene& scene, SlideState& slide, const RoundGoal& goal);
 
 }  // namespace thaum::haptics

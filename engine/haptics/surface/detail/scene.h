@@ -29,7 +29,8 @@ struct BodyMotion {
 
 BodyMotion motion_of(const SurfaceBody& body, double dt);
 
-/// A plane, or the plane of a triangle. They are stored together because each sweep reads all of them.
+/// A plane, or the plane of a triangle. They are stored together because each test of a path reads all of
+/// them.
 struct Facet {
     vec3 normal;
     /// Distance of the true surface's plane from the origin along the normal (m).

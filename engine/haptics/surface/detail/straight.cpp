@@ -14,7 +14,7 @@ double allowed(const SurfacePatch& patch, vec3 x, vec3 way) {
     const vec3 arm = x - patch.centre;
     const double a = glm::dot(way, way), b = glm::dot(arm, way),
                  c = glm::dot(arm, arm) - patch.reach * patch.reach;
-    if (a + 2 * b + c <= 0) return 1;  // the end of the path lies within the reach
+    if (a + 2 * b + c <= 0) return 1;  // the end of the path lies within the patch's sphere
     if (!(a > 0)) return 0;
     const double root = b * b - a * c;
     return root > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, 1.0) : 0.0;

@@ -5,8 +5,9 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr int max_advances = 60;  // largest number of advances; on a path that grazes a round side, each one
-                                  // halves the distance
+// Largest number of times that a point advances towards a shape; on a path that grazes a round side, each
+// advance halves the distance.
+constexpr int max_advances = 60;
 
 /// Whether a hit on the path comes before another one. Of two simultaneous hits, the one at the steeper angle
 /// to the surface comes first.

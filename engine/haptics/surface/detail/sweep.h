@@ -13,7 +13,7 @@ struct Sweep {
 };
 
 struct Hit {
-    double at{2};   ///< fraction of the path; above 1: nothing is met
+    double at{2};   ///< fraction of the path at which it meets a surface; above 1: it meets none
     double drop{};  ///< component of the path against the normal of the hit surface (m)
     Wall wall{};
 };
@@ -38,7 +38,8 @@ public:
 
 private:
     vec3 place_{HUGE_VAL};
-    /// For each surface, how far a point may move from `place_` without meeting it (m).
+    /// For each surface, how far a point may move from the place of the last measurement without meeting it
+    /// (m).
     std::array<double, surface_capacity> free_{};
     void measure(const Scene& scene, vec3 place);
 };

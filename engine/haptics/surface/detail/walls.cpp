@@ -12,16 +12,16 @@ constexpr double nearly_parallel = 1e-15;  // squared sine below which two plane
 // Distance that two parallel planes may have and still count as one (m).
 constexpr double loose = 0.4 * surface_gap;
 
-/// Up to three walls that meet at the proxy. The displacement of the proxy from the tip is the sum of their
-/// normals times their depths.
+/// Up to three walls (planes at touched surfaces) that meet at the proxy. The displacement of the proxy from
+/// the tip is the sum of their normals times their depths.
 struct ActiveSet {
     std::array<std::size_t, 3> walls{};
     std::array<double, 3> depths{};
     std::size_t count{};
 };
 
-/// Whether these walls alone hold the proxy: each of them pushes it away from the tip, and the place where
-/// they hold it is behind no other wall. `place` becomes that place.
+/// Whether these walls (planes at touched surfaces) alone hold the proxy: each of them pushes it away from
+/// the tip, and the place where they hold it is behind no other wall. `place` becomes that place.
 bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
     place = tip;
     unsigned used = 0;  // one bit for each wall

@@ -14,7 +14,7 @@ struct Wall {
     double offset{};  ///< distance of the plane from the origin along the normal (m)
     /// Displacement of the proxy from the tip by this wall (m); 0 until nearest_place() has computed it.
     double depth{};
-    std::uint32_t surface{};  ///< index in the patch
+    std::uint32_t surface{};  ///< index of the wall's surface in the patch
     bool met_here{};          ///< the proxy has not moved since it met the wall
 };
 
@@ -62,8 +62,8 @@ struct NearestPlace {
 /// walls. Keeps the walls that push, with their depths, or all of them if no place was found.
 NearestPlace nearest_place(Walls& walls, vec3 tip);
 
-/// Largest pull along the walls at which friction holds a proxy at x: the sum of depth times friction (m).
-/// With one stiffness, forces are in proportion to lengths.
+/// Largest pull along the walls (planes at touched surfaces) at which friction holds a proxy at x: the sum of
+/// depth times friction (m). With one stiffness, forces are in proportion to lengths.
 double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
 
 /// Whether the surface of a wall (a plane that holds the proxy) still is at the proxy, which may have moved
@@ -73,13 +73,14 @@ bool stands(const Scene& scene, const Wall& wall, vec3 x);
 /// Whether the surfaces of all walls still are at the proxy.
 bool all_stand(const Scene& scene, const Walls& walls, vec3 x);
 
-/// Sorts the walls by the depth of the tip behind them, the deepest first. There are at most four.
+/// Sorts the walls (planes at touched surfaces) by the depth of the tip behind them, the deepest first. There
+/// are at most four.
 void most_loaded_first(Walls& walls);
 
 /// State of the proxy on its path to the tip.
 struct SlideState {
     vec3 x{};       ///< position of the proxy (m)
-    Walls walls{};  ///< walls that hold it there
+    Walls walls{};  ///< walls (planes at touched surfaces) that hold it there
     /// Number of sweeps (tests of a path against one surface) that the proxy's motion on round bodies may
     /// still make in this tick. It bounds the time that a tick takes.
     int sweeps_left{2400};

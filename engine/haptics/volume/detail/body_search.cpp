@@ -19,17 +19,19 @@ constexpr int max_looks = 16;
 /// change its place from tick to tick. `same_slope_apart` applies where the drawn surface (of the samples in
 /// the picture) and the smooth surface (of the smoothed field) lie apart.
 constexpr double same_slope = 0.5, same_slope_apart = 0.02;
-/// Distance between drawn and smooth surface at which they count as apart (samples).
+/// Distance between the drawn surface (of the samples in the picture) and the smooth one (of the smoothed
+/// field) at which they count as apart (samples).
 constexpr double apart = 0.25;
-/// Largest distance between the drawn and the smooth surface that comes from the small steps which samples
-/// make in a surface (samples; body_search.h). A larger distance means a thin sheet or a cut face.
+/// Largest distance between the drawn surface (of the samples in the picture) and the smooth one (of the
+/// smoothed field) that comes from the small steps which samples make in a surface (samples). A larger
+/// distance means a thin sheet or a cut face.
 constexpr double max_search_step = 0.5;
-/// Largest distance that is wanted between the drawn surface and the plane by which it is felt: as a share of
-/// the tip's depth, and in samples. Both limits apply.
+/// Largest distance that is wanted between the drawn surface (of the samples in the picture) and the plane by
+/// which it is felt: as a share of the tip's depth, and in samples. Both limits apply.
 constexpr double depth_share = 0.3, max_eased = 0.5;
 /// Largest distance from the drawn surface of a plane that lags behind because it may move only by
-/// LevelSurface::slew in a tick. It is given as shares of the tip's depth, for a plane that rises and for one
-/// that sinks, and in samples along the normal.
+/// LevelSurface::slew in a tick. It is given as shares of the tip's depth: first for a plane that moves out
+/// of the body, then for one that sinks into it. `max_late` is in samples along the normal.
 constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
 /// Smallest share of the slew (largest motion of a plane in a tick) by which a plane may always move. The
 /// tip's motion against the plane, which changes the force too, takes the rest of the slew.
@@ -52,8 +54,8 @@ constexpr double max_motion = 5e-5;
 /// the body, the tip is near the back of a thin sheet, and leaves it there.
 constexpr double ground_below = 0.5;
 /// Distances by which a plane may sink in a tick before the tip reaches a step in the drawn surface, as
-/// multiples of the slew. They are tried from the smallest on. `still_felt` is the share of the tip's depth
-/// that the hand must still feel while the plane sinks.
+/// multiples of LevelSurface::slew, the usual limit of its motion. They are tried from the smallest on.
+/// `still_felt` is the share of the tip's depth that the hand must still feel while the plane sinks.
 constexpr std::array<double, 3> early{0, 1, 1.5};
 constexpr double still_felt = 0.01;
 /// Distance between the place of the first plane and the proxy's landing place up to which one step of the
@@ -395,8 +397,8 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
                    {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
 }
 
-/// The place on the surface of the smoothed field near a place, if eased() would put the plane just there
-/// because the tip is deep enough. This shortcut takes fewer reads of the field than a search.
+/// The place on the surface of the smoothed field near a place, if the plane belongs just there because the
+/// tip is deep enough (see eased()). This shortcut takes fewer reads of the field than a search.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
     const double most = max_eased * fine_;
     if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;

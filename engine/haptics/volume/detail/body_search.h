@@ -44,7 +44,7 @@ private:
     /// Direction out of the body at a place.
     struct Way {
         vec3 out{};
-        double gradient{};  ///< length of the field's gradient (1/m)
+        double gradient{};  ///< length of the field's gradient there (1/m)
         double smooth{};    ///< distance along `out` to the surface of the smooth field, estimated by value
                             ///< and slope (m)
     };
@@ -61,7 +61,7 @@ private:
     /// A part of a straight line that begins free and ends in the body, or the reverse.
     struct Bracket {
         vec3 from{}, to{};
-        double at_from{}, at_to{};  ///< values of inside() at both ends
+        double at_from{}, at_to{};  ///< depth in the body at both ends (inside())
     };
 
     vec3 to_box(vec3 place) const;
