@@ -123,9 +123,7 @@ public:
     std::uint32_t tell(Points stroke, std::uint32_t told, PrefixSpace& space) const;
 
 private:
-    /// Eight beginnings of one recorded stroke, up to 20 % of its length, 30 % and so on to all of it
-    /// (prefix_shares). A gesture may be drawn backwards, or from other points if it is a closed curve. Then
-    /// each stroke has one such record for each direction and starting point.
+    /// Eight beginnings of one recorded stroke (shares of its length: prefix_shares), for one start and way.
     struct Beginnings {
         std::uint32_t gesture{};
         std::uint32_t stroke{};  ///< number of the recorded stroke, among those of all gestures

@@ -25,9 +25,8 @@ inline constexpr std::size_t shape_points = 24;
 /// Number of points of a stroke that are used. A longer stroke is thinned evenly, which hardly changes the 24
 /// points of the shape.
 inline constexpr std::size_t counted_points = 80;
-/// Largest number of points in a ShapeSpace, the working memory for strokes. A caller that fills one itself
-/// must not exceed it; strokes that make_shape() copies are thinned to far fewer.
-inline constexpr std::size_t max_points = 4096;
+inline constexpr std::size_t max_points = 4096;  ///< largest number of points in a ShapeSpace (working
+                                                 ///< memory for strokes) that a caller fills itself
 /// Number of channels of a planar shape, numbers at each point: x, y, direction x, y, turn z, force.
 inline constexpr std::size_t planar_channels = 6;
 /// Number of channels of a solid shape, numbers at each point: x, y, z, direction x, y, z, turn x, y, z,

@@ -111,8 +111,8 @@ std::vector<const Mode*> modes_for(FieldKind kind);
 /// A mode and the filter through which it reads a field.
 struct ModeOffer {
     const Mode* mode{};
-    /// Filter whose result the mode reads, such as the field's gradient; std::nullopt: it reads the field.
-    std::optional<field::FilterKind> through{};
+    std::optional<field::FilterKind> through{};  ///< filter whose result the mode reads, such as a gradient;
+                                                 ///< std::nullopt: it reads the field itself
 };
 
 /// All ways to feel a field of this kind. First come the modes that read the field itself. Then come those

@@ -27,8 +27,7 @@ struct DataFile {
     bool operator==(const DataFile&) const = default;
 };
 
-/// A kind of thing, such as an event or a wand, and the number that identifies it in saved states and
-/// samples.
+/// A kind of thing, such as an event or a wand, and the number by which saved states and samples name it.
 struct Kind {
     std::uint16_t number{};
     std::string name;
@@ -72,8 +71,7 @@ struct LogHeader {
     std::vector<std::string> overrides;  ///< values of the option --set, "key=value", in order; at most 1,000
     /// Parameters of the match, "key=value": kills to win, seconds; at most 1,000.
     std::vector<std::string> parameters;
-    /// Tables, one for each group such as wands, of the numbers by which the log identifies the kinds of the
-    /// group. At most 16, sorted; none in format 1.
+    /// Numbers that identify the kinds of each group, such as wands; at most 16, sorted; none in format 1.
     std::vector<KindTable> kinds;
     std::vector<ProfileData> profile;  ///< data of players' profiles; at most 1,000
     /// Names of the players for display; an empty one means the team's name. There are at most as many as

@@ -29,8 +29,7 @@ Expected<void> close_log(input::LogWriter& log, const Simulation& match);
 std::string result_line(const Simulation& match, const std::array<std::string, players>& winner_names = {});
 
 /// Creates the match that a log's header describes. The error is one line: another rules version, the name of
-/// a missing or changed data file, impossible values, or a kind (of wand, spell, event) that this program
-/// identifies by another number than the log does.
+/// a missing or changed data file, impossible values, or a kind (such as a wand) with another number here.
 Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& header,
                                                    const std::filesystem::path& assets);
 

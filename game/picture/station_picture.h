@@ -60,9 +60,8 @@ struct ScryingPicture {
     std::uint32_t newest{no_mode};  ///< haptic mode switched on last, whose strength the player can draw;
                                     ///< no_mode: none
     bool draws{};  ///< true: the player draws the strength of the newest haptic mode with the button Trace
-    /// Curve that the player draws on a plane: upwards, the strength of the haptic mode `newest`; from left
-    /// to right, the property of the flow that the mode reads, such as speed. The values are at equal
-    /// distances over the plane's width. 0 is the plane's bottom, and 1 its top.
+    /// Curve that the player draws: upwards the strength of the haptic mode `newest`, from 0 to 1; to the
+    /// right, at equal distances, the property of the flow that the mode reads, such as speed.
     std::array<float, curve_points> curve{};
     /// time that the probe has been held at the hidden core so far, and required time (s)
     double held_s{}, wanted_s{};

@@ -222,9 +222,8 @@ struct LevelCrossing {
         either += static_cast<double>(either_way);
         carried += static_cast<double>(with_mean);
     }
-    /// Amount of the substance that crossed the faces upwards (densities times cells), without the share of
-    /// the net flow. That share is what the net flow of fluid carries if it has the mean density at the
-    /// faces. The net flow would be zero but for the error of the pressure solve.
+    /// Amount that crossed the faces upwards (densities times cells), less what the net flow of fluid carries
+    /// at the mean density there. That net flow comes from the error of the pressure solve alone.
     double beyond_mean() const { return either > 0 ? density - flow * carried / either : density; }
 };
 using Levels = std::array<LevelCrossing, max_cells>;

@@ -115,9 +115,7 @@ public:
 
 private:
     Rest run_from(std::size_t first) const {
-        // The middle of a run (points that stay near one place) is the mean of its first points, at most this
-        // many.
-        constexpr int points_of_middle = 16;
+        constexpr int points_of_middle = 16;  // most points of a run whose mean counts as its middle
         Rest run{first, first, stroke_.place(first)};
         for (int count = 1; run.last + 1 < stroke_.size();) {
             const std::size_t next = run.last + 1;

@@ -6,8 +6,7 @@
 //     A   ambient: gravity and guide planes, felt everywhere
 //     R   against the motion, C v: C grows with the opacity, or with the density within a shell, by material
 //     S   along the gradient: grows with the opacity, or with the density within a shell
-//     walls: surfaces of one density that stop the proxy unless the hand pushes harder than their strength
-//            (haptics/volume/level_contact.h)
+//     walls: surfaces of one density that stop the proxy up to a strength (haptics/volume/level_contact.h)
 //
 // The opacity is the picture's: a transfer function of the density times one of the gradient's
 // length. So the hand feels what the eye sees. Walls and shells read densities alone. So a skin that
