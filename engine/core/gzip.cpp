@@ -16,6 +16,8 @@ namespace {
 constexpr int gzip_window = 15 + 16;  // largest window (15 bits), with a gzip header (16)
 constexpr std::size_t piece = std::size_t{1} << 18U;
 
+}  // namespace
+
 /// Ends zlib's inflater (inflateEnd) in its destructor.
 class Inflater {
 public:
@@ -32,8 +34,6 @@ public:
 private:
     bool started_ = false;
 };
-
-}  // namespace
 
 struct GzipReader::State {
     Source source;

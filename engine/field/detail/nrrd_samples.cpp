@@ -49,7 +49,7 @@ Expected<std::size_t> after_lines(FileReader& file, std::size_t position, std::s
     file.go_to(position);
     while (lines > 0) {
         const auto count = file.read(piece);
-        if (!count) return count;
+        if (!count) return count.error();
         for (std::size_t i = 0; i < *count && lines > 0; ++i, ++position)
             if (piece[i] == std::byte{'\n'}) --lines;
         if (*count < piece.size()) break;
@@ -190,7 +190,7 @@ Expected<std::size_t> pass_on(std::size_t count, SampleDecoder* decoder, Read re
     while (done < count) {
         const auto wanted = std::span(piece).first(std::min(piece.size(), count - done));
         const Expected<std::size_t> n = read(wanted);
-        if (!n) return n;
+        if (!n) return n.error();
         done += *n;
         if (*n < wanted.size()) break;
         if (decoder != nullptr) decoder->take(wanted);
@@ -218,10 +218,10 @@ Expected<std::size_t> bytes_before(const NrrdHeader& header, const FileOfSamples
                                    std::size_t promised) {
     GzipReader reader = unpacked(*file.file);
     const auto all = skip_unpacked(file, reader, promised + max_before_end);
-    if (!all) return all;
+    if (!all) return all.error();
     if (*all < promised) return too_few(header, file, "bytes", promised, *all);
     const auto more = skip_unpacked(file, reader, 1);
-    if (!more) return more;
+    if (!more) return more.error();
     if (*more > 0 || reader.is_followed())
         return fail_field(header, "byte skip",
                           text("more than ", max_before_end, " bytes are packed before the samples"));
