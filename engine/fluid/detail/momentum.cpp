@@ -6,6 +6,12 @@
 #include "fluid/floats8.h"
 
 namespace thaum::fluid {
+/// Factors of the sums of fluxes and of viscous stresses. Not in the unnamed namespace, since a closure of a
+/// member function holds them.
+struct FluxFactors {
+    float flux, spread;
+};
+
 namespace {
 
 /// Interpolates the velocity that carries the momentum half-way between a sample and the previous one, `step`
@@ -55,10 +61,6 @@ struct CarryingSamples {
 inline Floats8 sum_of_both_sides(const float* q, std::ptrdiff_t step) {
     return load(q - step) + load(q + step);
 }
-
-struct FluxFactors {
-    float flux, spread;
-};
 
 template <bool fourth>
 FluxFactors flux_factors(float h, float viscosity) {
