@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/doubles4.h"
 #include "gesture/detail/rests.h"
 #include "gesture/detail/vectors.h"
 
@@ -32,7 +33,6 @@ constexpr float surely_quick = 10;
 /// are read, so that others replace those of rests.
 constexpr std::size_t enough_points = 48;
 
-using Doubles4 = double __attribute__((vector_size(32)));
 using Bits4 = std::uint64_t __attribute__((vector_size(32)));
 
 Floats4 masked(Floats4 v, Ints4 mask) { return reinterpret_cast<Floats4>(reinterpret_cast<Ints4>(v) & mask); }

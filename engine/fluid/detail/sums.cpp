@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/doubles4.h"
+
 namespace thaum::fluid {
 namespace {
 
 using Floats4 = float __attribute__((vector_size(16)));
-using Doubles4 = double __attribute__((vector_size(32)));
 
 /// Reads four floats as doubles.
 Doubles4 load_4(const float* from) {

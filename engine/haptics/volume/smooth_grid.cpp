@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/doubles4.h"
+
 namespace thaum::haptics {
 namespace {
 
@@ -45,8 +47,6 @@ SmoothTaps smooth_taps_at(double x, int count, std::ptrdiff_t stride, double per
     taps.adjacent = stride == 1 && low >= 3 && low + 4 < count;
     return taps;
 }
-
-using Doubles4 = double __attribute__((vector_size(32)));
 
 /// A number for each of the eight samples along x, as two vectors of four.
 struct SmoothLanes {
