@@ -3,8 +3,13 @@
 //
 // Two kinds of body have steps that are larger than a sample: one whose samples lie farther apart along one
 // axis, as slices of a scan do, and one whose samples have few values, as those of a mask do. A block is as
-// wide along each axis as the widest spacing, or twice as wide if slices are twice as far apart as samples or
-// there are few values. So the averages are equally far apart along all axes and have values in between.
+// wide along each axis as the widest spacing. It is twice as wide if there are few values, or if slices are
+// twice as far apart as samples and hard: a surface lies between two slices, where slices that average their
+// thickness would show it by values in between. So the averages are equally far apart along all axes and have
+// values in between.
+//
+// The wider blocks are not for all, because they blur curved surfaces unevenly. In slices of 3 mm, they turn
+// the normals of a ring with a tube of 18 mm by up to 5.9 degrees, the others by 1.6.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,6 +24,9 @@ namespace thaum::field {
 struct BlockAverages {
     std::array<int, 3> block{1, 1, 1};  ///< number of samples of a block along each axis
     std::array<int, 3> count{};         ///< number of blocks along each axis
+    /// Whether surfaces have such steps that directions computed from the samples themselves are far off.
+    /// Blocks are then twice as wide.
+    bool coarse_steps{};
     /// Averages of the finite samples of each block, x fastest. Empty if each block is a single sample.
     std::vector<float> samples{};
     /// Bricks::newest (number of the body's last change) when the averages were made.

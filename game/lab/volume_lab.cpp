@@ -45,7 +45,7 @@ field::FilterSource source_of(const field::Volume& volume, const LabSource& view
 
 haptics::SmoothGrid density_of(const field::Grid& grid, const field::BlockAverages& averages,
                                field::SampleRange range) {
-    return {grid, averages.grid(grid), {range.low, range.high}};
+    return {grid, averages.grid(grid), {range.low, range.high}, averages.coarse_steps};
 }
 
 /// Makes the views of all volumes, by which modes and filters read them, refer to the volumes' present

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "core/doubles4.h"
 
@@ -16,7 +17,9 @@ using SmoothRow = std::array<double, smooth_taps>;
 struct SmoothTaps {
     std::array<std::ptrdiff_t, smooth_taps> offset{};
     SmoothRow value{}, slope{};
-    bool adjacent{};  ///< the samples follow each other in memory
+    int first{}, count{};  ///< sample of the first weight, and number of samples along the axis
+    bool whole{};          ///< the kernel does not reach beyond the first or the last sample
+    bool adjacent{};       ///< whole, and the samples follow each other in memory
 };
 
 /// Weights of eight samples, from the weights `w` of four averages. Each average is over five neighbouring
@@ -28,6 +31,24 @@ SmoothRow spread(const std::array<double, 4>& w) {
         for (std::size_t j = 0; j < binomial.size(); ++j) result[i + j] += w[i] * binomial[j];
     }
     return result;
+}
+
+/// Gives the weights of samples beyond the border to their mirror images at the border sample, so that each
+/// gradient beyond counts as its image. For the slope along this axis, a sample beyond is then as much above
+/// the border sample as its image is below. For slopes along the other axes, it equals its image.
+void mirror(SmoothTaps& taps) {
+    const auto tap_of = [&](int sample) {
+        return static_cast<std::size_t>(std::clamp(sample, 0, taps.count - 1) - taps.first);
+    };
+    for (std::size_t tap = 0; tap < smooth_taps; ++tap) {
+        const int sample = taps.first + static_cast<int>(tap), border = std::clamp(sample, 0, taps.count - 1);
+        if (sample == border) continue;
+        const double value = std::exchange(taps.value[tap], 0), slope = std::exchange(taps.slope[tap], 0);
+        const std::size_t image = tap_of(2 * border - sample);
+        taps.value[image] += value;
+        taps.slope[image] -= slope;
+        taps.slope[tap_of(border)] += 2 * slope;
+    }
 }
 
 /// Computes the samples and weights for a place x (in samples from the first one). `per_metre` is the number
@@ -44,7 +65,10 @@ SmoothTaps smooth_taps_at(double x, int count, std::ptrdiff_t stride, double per
         taps.offset[i] = std::clamp(low - 3 + static_cast<int>(i), 0, count - 1) * stride;
         taps.slope[i] *= per_metre;
     }
-    taps.adjacent = stride == 1 && low >= 3 && low + 4 < count;
+    taps.first = low - 3;
+    taps.count = count;
+    taps.whole = low >= 3 && low + 4 < count;
+    taps.adjacent = stride == 1 && taps.whole;
     return taps;
 }
 
@@ -115,32 +139,50 @@ field::Scalar scalar_of(const SmoothSums& sums, double base, const SmoothTaps& x
     return result;
 }
 
-}  // namespace
-
-field::Scalar SmoothGrid::operator()(vec3 place) const {
-    if (grid.first == nullptr || *std::ranges::min_element(grid.count) < 1 || !is_finite(place)) return {};
-    const vec3 at = (place - grid.origin) / grid.spacing, per_metre = 1.0 / grid.spacing;
-    const SmoothTaps x = smooth_taps_at(at.x, grid.count[0], grid.stride[0], per_metre.x);
-    const SmoothTaps y = smooth_taps_at(at.y, grid.count[1], grid.stride[1], per_metre.y);
-    const SmoothTaps z = smooth_taps_at(at.z, grid.count[2], grid.stride[2], per_metre.z);
-    const float middle = grid.first[x.offset[3] + y.offset[3] + z.offset[3]];
+/// Value and gradient, from the weights along each axis.
+field::Scalar weighted_sum(const SmoothGrid& from, const SmoothTaps& x, const SmoothTaps& y,
+                           const SmoothTaps& z) {
+    const float* first = from.grid.first;
+    const float middle = first[x.offset[3] + y.offset[3] + z.offset[3]];
     const auto as_stored = [&](const float* row) {
         return x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
     };
-    const field::Scalar result = scalar_of(sums_of(grid.first, middle, y, z, as_stored), middle, x);
+    const field::Scalar result = scalar_of(sums_of(first, middle, y, z, as_stored), middle, x);
     // A sample that is not finite makes the result not finite. Only then is the result computed again, with
     // such samples replaced by what a picture shows for them; that takes longer.
     if (std::isfinite(result.value)) return result;
-    const auto as_shown = [&](const float* row) { return samples_of(row, x, shown); };
-    const double base = shown(middle);
-    return scalar_of(sums_of(grid.first, base, y, z, as_shown), base, x);
+    const auto as_shown = [&](const float* row) { return samples_of(row, x, from.shown); };
+    const double base = from.shown(middle);
+    return scalar_of(sums_of(first, base, y, z, as_shown), base, x);
 }
+
+/// Value and gradient at a place. `mirrored`: each gradient beyond the border counts as its mirror image.
+field::Scalar read(const SmoothGrid& from, vec3 place, bool mirrored) {
+    const field::Grid& grid = from.grid;
+    if (grid.first == nullptr || *std::ranges::min_element(grid.count) < 1 || !is_finite(place)) return {};
+    const vec3 at = (place - grid.origin) / grid.spacing, per_metre = 1.0 / grid.spacing;
+    SmoothTaps x = smooth_taps_at(at.x, grid.count[0], grid.stride[0], per_metre.x);
+    SmoothTaps y = smooth_taps_at(at.y, grid.count[1], grid.stride[1], per_metre.y);
+    SmoothTaps z = smooth_taps_at(at.z, grid.count[2], grid.stride[2], per_metre.z);
+    field::Scalar here = weighted_sum(from, x, y, z);
+    if (!mirrored || (x.whole && y.whole && z.whole)) return here;
+    for (SmoothTaps* taps : {&x, &y, &z}) mirror(*taps);
+    here.gradient = weighted_sum(from, x, y, z).gradient;
+    return here;
+}
+
+}  // namespace
+
+field::Scalar SmoothGrid::operator()(vec3 place) const { return read(*this, place, true); }
+
+field::Scalar SmoothGrid::ending_level(vec3 place) const { return read(*this, place, false); }
 
 field::SampleBox SmoothGrid::sample_box() const {
     const vec3 half = 0.5 * grid.spacing * vec3(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
     field::SampleBox box{.bounded = grid.first != nullptr && *std::ranges::min_element(grid.count) >= 2,
                          .drawn = grid,
                          .averages = averages,
+                         .coarse_steps = coarse_steps,
                          .shown = shown,
                          .middle = grid.origin + half,
                          .half = half,

@@ -19,6 +19,12 @@
 //     linear                                    11         4.6        10
 //     Catmull-Rom                               13         5.3        11       0.10
 //
+// Near the border of the samples, a value takes the border sample for those beyond it. A gradient of such
+// values is too flat towards the border, so that the direction of a plane is up to 8 degrees off. So each
+// gradient beyond the border counts as that at its mirror image inside. The result is a mean of gradients
+// inside with the same weights for all three components, and a plane's direction stays within 0.7 degrees.
+// There the gradient is not exactly the derivative of the value, and a read takes up to twice the time.
+//
 // The price is detail. A sheet one sample thick keeps a third of its height, and one of three samples four
 // fifths. The surface of a body of radius r lies 1.3 h^2 / r too deep, for samples h apart.
 #pragma once
@@ -34,8 +40,11 @@ struct SmoothGrid {
     /// Averages of blocks of the grid's samples (field/block_averages.h), for sample_box(); may be empty.
     field::Grid averages{};
     field::ShownRange shown{};  ///< range of the finite samples, by which a picture shows the others
+    bool coarse_steps{};        ///< as in field::BlockAverages, for sample_box()
 
     field::Scalar operator()(vec3 place) const;
+    /// The same, but near the border the gradient, too, takes the border sample for those beyond it.
+    field::Scalar ending_level(vec3 place) const;
     /// The box of the samples. A picture shows them, linear between them.
     field::SampleBox sample_box() const;
 };

@@ -128,6 +128,21 @@ double shown_value(const field::SampleBox& box, vec3 at) {
     return sum;
 }
 
+/// Share by which the averages count at a place in the samples' frame. It falls to 0 near the border, where
+/// the kernel would reach far beyond the averages, unless only averages show directions.
+double averages_share(const field::SampleBox& box, vec3 at) {
+    // Distances from the outermost averages up to which they do not count, and from which on they count fully
+    // (in distances between averages).
+    constexpr double too_near = 1, whole = 3;
+    if (box.coarse_steps) return 1;
+    const field::Grid& grid = box.averages;
+    const vec3 last(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
+    const vec3 from_first = (at - grid.origin) / grid.spacing;
+    const vec3 inside = glm::min(from_first, last - from_first);
+    const double nearest = std::min({inside.x, inside.y, inside.z});
+    return fading((whole - nearest) / (whole - too_near));
+}
+
 }  // namespace
 
 BodySearch::BodySearch(const LevelSurface& surface, const field::SampleBox& box, LevelContact& contact)
@@ -198,7 +213,10 @@ std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     here.gradient = here.gradient * box_.placement.turn;
     auto fine = slope_of(here);
     if (!fine || box_.averages.first == nullptr) return fine;
-    field::Scalar there = SmoothGrid{.grid = box_.averages, .shown = box_.shown}(to_samples(place));
+    const double by_place = averages_share(box_, to_samples(place));
+    if (by_place == 0) return fine;
+    const SmoothGrid averages{.grid = box_.averages, .shown = box_.shown};
+    field::Scalar there = averages.ending_level(to_samples(place));
     there.gradient /= box_.placement.scale;
     const auto coarse = slope_of(there);
     if (!coarse) return fine;
@@ -206,7 +224,7 @@ std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     const double cosine = glm::dot(fine->up, coarse->up) / (length * other);
     const vec3 wide = box_.placement.scale * box_.averages.spacing;
     const double off = std::abs(coarse->depth) / std::min({wide.x, wide.y, wide.z});
-    const double share = fading((agrees - cosine) / (agrees - differs)) * fading(off - 0.5);
+    const double share = by_place * fading((agrees - cosine) / (agrees - differs)) * fading(off - 0.5);
     fine->up = glm::mix(fine->up, length / other * coarse->up, share);
     return fine;
 }
