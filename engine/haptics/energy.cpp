@@ -50,9 +50,11 @@ void add_active_work(PassivityObserver& observer, double work) {
 /// Takes the energy that the springs gave to the hand in a tick (J; negative: received) from the reserve, the
 /// energy that they may still give.
 void use_reserve(PassivityObserver& observer, double given, double stored) {
-    if (observer.held_back == 0) return;
-    const double most = stored + std::clamp(reserve_energy - observer.created, 0.0, reserve_energy);
+    if (observer.held_back == HeldBack::no) return;
+    const double held = stored + std::clamp(reserve_energy - observer.created, 0.0, reserve_energy);
+    const double most = observer.held_back == HeldBack::by_work ? HUGE_VAL : held;
     observer.reserve = std::clamp(observer.reserve - given, 0.0, most);
+    observer.work_reserve = std::max(0.0, observer.work_reserve - given);
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ vec3 passivity_control(double energy, vec3 velocity, double most) {
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output) {
     constexpr double no_force =
         1e-6;  // a force that is nothing but rounding (N): its direction means nothing
-    const double step = observer.held_back != 0 ? held_brake_step : brake_step;
+    const double step = observer.held_back == HeldBack::by_energy ? held_brake_step : brake_step;
     const double size_of_braked = glm::length(braked), before = glm::length(observer.brake);
     const double most = size_of_braked > no_force ? size_of_braked : 0;
     vec3 brake = observer.brake + limited(wished - observer.brake, step);
@@ -141,9 +143,10 @@ double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, 
 }
 
 void hold_back(PassivityObserver& observer) {
-    const double running = observer.held_back != 0 ? observer.reserve : 0;
-    observer.held_back = 1;
+    const double running = observer.held_back == HeldBack::by_energy ? observer.reserve : 0;
+    observer.held_back = HeldBack::by_energy;
     observer.reserve = std::max(running, reserve_energy - observer.created);
+    observer.work_reserve = observer.reserve;
 }
 
 void forgive(PassivityObserver& observer, bool springs_pull) {
@@ -155,7 +158,8 @@ void forgive(PassivityObserver& observer, bool springs_pull) {
 }
 
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness) {
-    if (observer.held_back == 0 || !(stiffness > 0)) return;
+    if (observer.held_back == HeldBack::no || !(stiffness > 0)) return;
+    if (observer.held_back == HeldBack::by_work && springs.may_lie_ahead) return;
     // The force lags the hand by a tick. So a spring of the device's stiffness receives a little less than it
     // holds: less by its force times the motion of a tick.
     constexpr double nearly = 0.8, settled = 1e-6;
@@ -163,12 +167,12 @@ void release_if_covered(PassivityObserver& observer, const HeldSprings& springs,
     const double owed = std::max(springs.energy - energy_slack, nearly * pull * pull / (2 * stiffness));
     const bool may_push = springs.may_lie_ahead || observer.created > settled;
     if (pull > 0 ? observer.created + owed > 0 : may_push) return;
-    observer.held_back = 0;
-    observer.reserve = 0;
+    observer.held_back = springs.may_lie_ahead ? HeldBack::by_work : HeldBack::no;
+    observer.reserve = springs.may_lie_ahead ? observer.work_reserve : 0;
 }
 
 double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness) {
-    if (observer.held_back == 0 || !(stiffness > 0)) return HUGE_VAL;
+    if (observer.held_back == HeldBack::no || !(stiffness > 0)) return HUGE_VAL;
     const double left = std::max(0.0, observer.reserve - std::max(0.0, pending));
     const double ahead = stiffness * outward;
     if (ahead < 0) return std::max(std::sqrt(2 * stiffness * left), std::min(-ahead, min_force));
@@ -320,10 +324,9 @@ double expected_creation(const Servo& servo, const PassivityObserver& observer, 
 }
 
 /// Energy that the brake, the damping of the passivity controller, takes out of the hand in this tick (J).
-/// While a reserve holds springs back after a switch, they can give the hand no more than the reserve,
-/// whatever they hold.
+/// Soon after a switch, springs can give the hand no more than the reserve, whatever they hold.
 double energy_to_take_out(const PassivityObserver& observer, double held) {
-    if (observer.held_back == 0) return surplus(observer, held);
+    if (observer.held_back != HeldBack::by_energy) return surplus(observer, held);
     return surplus(observer, std::min(held, observer.reserve)) * (tick_seconds / repayment_time);
 }
 
@@ -348,7 +351,7 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
         const vec3 velocity = prompt_velocity(state, servo.quantum);
         brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
     }
-    const bool held_back = energy.held_back != 0;
+    const bool held_back = energy.held_back == HeldBack::by_energy;
     // In a fluid the brake acts at once and without the limits of `steady_brake`. With them, a flow that is
     // felt late created more than the 0.02 J that are allowed.
     if (state.fluid.number != 0 && !held_back) return energy.brake = brake;
@@ -363,15 +366,16 @@ EnergyLimits limits_after_switch(const Servo& servo, ServoState& state, const Ti
     PassivityObserver& energy = state.energy;
     EnergyLimits limits;
     const bool fades = state.safety.fade != static_cast<std::uint32_t>(Fade::over);
-    if (!fades && energy.held_back == 0) return limits;
+    if (!fades && energy.held_back == HeldBack::no) return limits;
     const vec3 moved = tip.position - state.safety.tip;
     limits.change = change_of_fade(energy, energy.forces[energy.newest].passive, moved,
                                    pending_work(energy, moved, servo.latency), servo.max_stiffness);
-    if (energy.held_back == 0) return limits;
-    const bool may_jump = may_give || energy.unsettled != 0;
+    if (energy.held_back == HeldBack::no) return limits;
+    const bool by_work = energy.held_back == HeldBack::by_work;
+    const bool may_jump = may_give || energy.unsettled != 0 || by_work;
     const double fall = reserve_step + limits.change - steady_change;
     limits.reserve_force = limit_to_reserve(servo, state, springs.pull, may_jump, fall, moved, sources);
-    forgive(energy, springs.pull > 0);
+    if (!by_work) forgive(energy, springs.pull > 0);
     if (!may_give && !fades && !(limits.reserve_force < springs.pull))
         release_if_covered(energy, springs, servo.max_stiffness);
     return limits;

@@ -16,10 +16,11 @@
 // which a switch does not reset. So many switches together give no more than one. Created energy is forgotten
 // in the course of time only (`forgive`).
 //
-// A spring that does not pull may still hold energy. Example: a body of even density appears around the hand.
-// The hand feels nothing in its midst, but the force comes as soon as the hand moves to the body's edge. So
-// while the springs are chosen from a field (by haptic modes), the reserve does not end merely because no
-// spring pulls. The hand must first have pressed them, and they must hold no more than they received.
+// A field of forces (haptic modes) may hold more energy than is seen where the hand is. Example: a body of
+// even density appears around the hand. The hand feels nothing in its midst, but is pushed out as soon as it
+// moves to the body's edge. So the reserve of springs that are chosen from a field does not end before the
+// next switch. Once they hold no more than they received, it counts all the work that the hand does on them:
+// from the switch on, they give no more than this work and the reserve of the beginning.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
@@ -52,6 +53,14 @@ struct ActiveBin {
     double most{};  ///< largest work of active sources from any tick of the bin to its end, at least 0 (J)
 };
 
+/// Whether a reserve limits the energy that springs give after a switch (a source of force came, ended or
+/// jumped), and what adds to this reserve.
+enum class HeldBack : std::uint32_t {
+    no,         ///< no reserve: the springs are not limited
+    by_energy,  ///< the energy that the springs received and still hold adds to the reserve
+    by_work,    ///< all the work that the hand does on the springs of a field adds to it
+};
+
 /// State of the passivity observer, the account of the energy that sources gave the hand; no padding.
 struct PassivityObserver {
     vec3 position{};  ///< measured position at the last tick (m)
@@ -64,20 +73,21 @@ struct PassivityObserver {
     /// Largest work of active sources from any tick of the last second until now (J).
     double active_work{};
     std::array<ActiveBin, active_bins> active{};  ///< work of active sources in spans of 50 ticks, a ring
-    /// Energy that springs may still give after a switch (a source of force came, ended or jumped), while
-    /// `held_back` is 1 (J).
+    /// Energy that springs may still give after a switch (a source of force came, ended or jumped), unless
+    /// `held_back` is `no` (J).
     double reserve{};
+    double work_reserve{};         ///< the reserve as it would be `by_work` since the last switch (J)
     std::uint32_t active_bin{};    ///< index of the bin of `active` that is being filled
     std::uint32_t active_tick{};   ///< number of ticks so far in that bin
     std::uint32_t newest{};        ///< index of the last command in `forces`
     std::uint32_t has_position{};  ///< 1: `position` was measured in the last tick; 0: it is unknown
-    std::uint32_t held_back{};     ///< 1: after a switch, springs give no more than `reserve`
+    HeldBack held_back{};          ///< whether `reserve` limits the springs, and what adds to it
     std::uint32_t unsettled{};     ///< ticks left in which the sources' forces may still jump after a switch
     vec3 brake{};                  ///< brake, the force that took out excess energy, in the last tick (N)
     double spring_force{};         ///< length of the springs' force in the last tick (N)
 };
 static_assert(sizeof(PassivityObserver) ==
-              (7 + 10 * (max_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
+              (8 + 10 * (max_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
                   6 * sizeof(std::uint32_t));
 
 inline constexpr double longest_step = 0.05;  ///< largest plausible motion of the tip in a tick (m)
@@ -168,14 +178,15 @@ void forgive(PassivityObserver& observer, bool springs_pull);
 struct HeldSprings {
     double energy{};  ///< energy that the springs hold (J)
     double pull{};    ///< length of the springs' force (N)
-    /// The springs may push as soon as the hand moves, even if they do not pull now, as within a body of even
-    /// density.
+    /// The springs are chosen from a field. They may push as soon as the hand moves, even if they do not pull
+    /// now, as within a body of even density.
     bool may_lie_ahead{};
 };
 
 /// Ends the reserve, the limit of the energy that springs give after a switch, once they hold no more energy
 /// than they received. For springs that do not pull, it ends once `created` is about zero and they cannot
-/// push as soon as the hand moves. `stiffness` is the device's largest (N/m).
+/// push as soon as the hand moves. The reserve of springs from a field does not end, but goes by work from
+/// then on. `stiffness` is the device's largest (N/m).
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness);
 
 /// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is

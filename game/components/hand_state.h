@@ -29,7 +29,8 @@ THAUM_FIELDS_OF(CommandedForce, passive, active, world, share)
 THAUM_FIELDS_OF(ActiveBin, sum, most)
 
 THAUM_FIELDS_OF(PassivityObserver, position, forces, created, most_created, active_work, active, reserve,
-                active_bin, active_tick, newest, has_position, held_back, unsettled, brake, spring_force)
+                work_reserve, active_bin, active_tick, newest, has_position, held_back, unsettled, brake,
+                spring_force)
 
 THAUM_FIELDS_OF(SurfaceContact, key, part, force)
 
