@@ -122,10 +122,11 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
     return left >= fading ? active : std::max(0.0, left / fading) * active;
 }
 
-double fade_energy(const PassivityObserver& observer) {
+double fade_energy(const PassivityObserver& observer, double pending) {
     // The springs may still give their reserve to the hand, so it counts as given. Energy that they received
     // since the last switch does not raise the fading offset's work above `switch_energy`.
-    const double passive = reserve_energy + switch_energy - (observer.created + observer.reserve);
+    const double passive =
+        reserve_energy + switch_energy - (observer.created + observer.reserve) - std::max(0.0, pending);
     const double active =
         switch_energy * (active_budget - observer.active_work) / (fading_share * active_budget);
     return std::clamp(std::min(passive, active), 0.0, switch_energy);
@@ -407,7 +408,8 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     const double taken =
         energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));
     limits.brake = brake_sources(servo, state, taken, sources);
-    limits.fade_energy = fade_energy(state.energy);
+    limits.fade_energy = fade_energy(
+        state.energy, pending_work(state.energy, tip_motion(state, servo.quantum), servo.latency));
     return limits;
 }
 

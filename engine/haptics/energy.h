@@ -150,8 +150,8 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active);
 
 /// Work that the offset which hides a jump of the force may do on the hand now (J). It is less soon after
 /// other jumps, so that the offsets of many jumps together do no more than that of one, and less while the
-/// budget of active sources runs out.
-double fade_energy(const PassivityObserver& observer);
+/// budget of active sources runs out. `pending` is the work of forces that have not acted yet (J).
+double fade_energy(const PassivityObserver& observer, double pending);
 
 /// Energy up to which the output changes slowly at a switch (J). If a slow change would create more energy,
 /// the output changes faster.
