@@ -240,14 +240,19 @@ double tether_energy(const Tether& tether, vec3 tip, double cap) {
     return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
 }
 
+/// Energy of the spring between tip and proxy that lets primitives act (J).
+double coupling_energy(const ServoState& state, const HapticModel& model, vec3 tip, double cap) {
+    const vec3 off = tip - state.proxy;
+    return within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
+}
+
 /// Energy that tether and primitives hold (J). A force is felt up to the cap only, so the hand never put in
 /// the energy of a larger one.
 double spring_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
                      double cap) {
     double held = tether_energy(tether, tip, cap);
     if (state.primitives != 0 && conservative(model.primitives)) {
-        const vec3 off = tip - state.proxy;
-        held += within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
+        held += coupling_energy(state, model, tip, cap);
         for (Primitive primitive : model.primitives.items()) {
             primitive.strength = std::min(primitive.strength, cap);
             held += potential(primitive, state.proxy);
@@ -405,8 +410,13 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
                               .may_lie_ahead = model.primitives.by_proxy() && conservative(model.primitives)};
     EnergyLimits limits = limits_after_switch(servo, state, tip, may_give, pulling, sources);
     state.energy.spring_force = std::min(pulling.pull, limits.reserve_force);
+    // What a field holds beyond the coupling may have been there before the hand came. The reserve limits it,
+    // so the hand must not be braked for it.
+    const bool by_work = state.energy.held_back == HeldBack::by_work;
+    const double returned =
+        by_work ? std::min(held, coupling_energy(state, model, tip.position, felt)) : held;
     const double taken =
-        energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));
+        energy_to_take_out(state.energy, returned + expected_creation(servo, state.energy, tether, tip));
     limits.brake = brake_sources(servo, state, taken, sources);
     limits.fade_energy = fade_energy(
         state.energy, pending_work(state.energy, tip_motion(state, servo.quantum), servo.latency));
