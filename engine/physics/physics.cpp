@@ -270,6 +270,10 @@ void Physics::Impl::collect_contacts() {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (manifold.getNumContacts() == 0) continue;
         const bool before = std::ranges::binary_search(touching, pair_of(manifold));
+        if (before && !active(manifold)) {
+            touching_next.push_back(pair_of(manifold));
+            continue;
+        }
         Contact contact = contact_of(manifold);
         if (!before && contact.impulse <= 0) continue;
         THAUM_ASSERT(touching_next.size() < settings.max_contacts,

@@ -109,11 +109,11 @@ void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
             continue;
         adjust_contact(manifold, info.m_timeStep, info.m_restitutionVelocityThreshold);
     }
-    btDiscreteDynamicsWorld::solveConstraints(info);
+    AwakeWorld::solveConstraints(info);
 }
 
 void BouncingWorld::integrateTransforms(btScalar dt) {
-    btDiscreteDynamicsWorld::integrateTransforms(dt);
+    AwakeWorld::integrateTransforms(dt);
     for (int i = 0; i < unused_paths_.size(); ++i) {
         btTransform& place = unused_paths_[i].body->getWorldTransform();
         place.setOrigin(place.getOrigin() + unused_paths_[i].path);

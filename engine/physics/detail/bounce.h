@@ -14,14 +14,14 @@
 // the gap. This would make the next bounce higher. The bodies are therefore moved back by the part of
 // the path for which there was no time.
 #pragma once
-#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include "physics/detail/awake_world.h"
 
 namespace thaum::physics::detail {
 
 /// Bullet's world, with bounces that begin in the step in which the bodies really meet.
-class BouncingWorld : public btDiscreteDynamicsWorld {
+class BouncingWorld : public AwakeWorld {
 public:
-    using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+    using AwakeWorld::AwakeWorld;
 
     /// True: velocities are those at the ends of the steps, not half a step earlier as in Bullet.
     bool exact_flight{true};

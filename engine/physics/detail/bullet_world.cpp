@@ -179,6 +179,7 @@ void write_motion(btRigidBody& body, const BodyState& state) {
     body.setAngularVelocity(to_bullet(state.spin));
     body.setInterpolationLinearVelocity(body.getLinearVelocity());
     body.setInterpolationAngularVelocity(body.getAngularVelocity());
+    forget_bounds(body);
 }
 
 void write_sleep(btRigidBody& body, const BodyState& state) {

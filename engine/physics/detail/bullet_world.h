@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "physics/detail/awake_world.h"
 #include "physics/detail/bounce.h"
 #include "physics/detail/cast.h"
 #include "physics/detail/gather.h"
@@ -81,7 +82,7 @@ public:
 private:
     // Each member uses those above it, so the order matters.
     Algorithms configuration_;
-    btCollisionDispatcher dispatcher_;
+    AwakeDispatcher dispatcher_;
     bt32BitAxisSweep3 broadphase_;
     btSequentialImpulseConstraintSolver solver_;
     BouncingWorld world_;
