@@ -118,6 +118,7 @@ Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m)
     THAUM_ASSERT(s.max_speed > 0 && s.max_spin > 0 && s.world_half_extent > 0,
                  "Settings.max_speed, max_spin and world_half_extent must be positive");
     bodies.reserve(s.max_bodies);
+    places.assign(s.max_bodies, no_place);
     contacts.reserve(s.max_contacts);
     touching.reserve(s.max_contacts);
     touching_next.reserve(s.max_contacts);
@@ -125,8 +126,18 @@ Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m)
 }
 
 Body* Physics::Impl::find(Key key) {
+    if (key < places.size()) {
+        const std::uint16_t place = places[key];
+        return place != no_place ? &bodies[place] : nullptr;
+    }
     const auto found = std::ranges::lower_bound(bodies, key, {}, &Body::key);
     return found != bodies.end() && found->key == key ? &*found : nullptr;
+}
+
+void Physics::Impl::update_places() {
+    std::ranges::fill(places, no_place);
+    for (std::size_t i = 0; i < bodies.size() && bodies[i].key < places.size(); ++i)
+        places[bodies[i].key] = static_cast<std::uint16_t>(i);
 }
 
 Body& Physics::Impl::at(Key key) {
@@ -331,6 +342,7 @@ void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
     in.prepare_damping(body);
     in.enter_world(body);
     body.leaf = in.tree.add(key, box_around(body));
+    in.update_places();
     in.unchanged = false;
 }
 
@@ -341,6 +353,7 @@ void Physics::remove(Key key) {
     (*in.world)->removeRigidBody(&body.bt());
     in.tree.remove(body.leaf);
     in.bodies.erase(in.bodies.begin() + (&body - in.bodies.data()));
+    in.update_places();
     std::erase_if(in.touching, [&](const Pair& pair) { return pair.a == key || pair.b == key; });
     in.unchanged = false;
     in.wake_near(place);

@@ -21,6 +21,35 @@ std::optional<detail::CastHit> Physics::Impl::cast_at(const Body& body, const de
     return contact;
 }
 
+template <class Each>
+void Physics::Impl::each_near(const detail::Box& box, const Each& each) const {
+    detail::NearKeys keys;
+    const auto near = tree.near(box, keys);
+    if (!near) {
+        for (const Body& body : bodies) each(body);
+        return;
+    }
+    auto from = bodies.begin();
+    for (const Key key : *near) {
+        from = key < places.size() ? bodies.begin() + places[key]
+                                   : std::ranges::lower_bound(from, bodies.end(), key, {}, &Body::key);
+        each(*from);
+    }
+}
+
+template <class Each>
+void Physics::Impl::each_along(const detail::Path path, const Each& each) const {
+    // Length of a path in whose bounding box are so many bodies that the tree saves no time (m).
+    constexpr double long_path = 4;
+    if (path.length > long_path) {
+        for (const Body& body : bodies) each(body);
+        return;
+    }
+    const vec3 to = path.from + path.length * path.direction;
+    const double size = path.radius + 2 * detail::touching;
+    each_near({glm::min(path.from, to) - size, glm::max(path.from, to) + size}, each);
+}
+
 std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_key) const {
     return sweep_sphere(from, to, 0, mask, ignore_key);
 }
@@ -35,15 +64,15 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     detail::Path path{from, (to - from) / length, length, radius};
     const Body* nearest = nullptr;
     detail::CastHit contact{};
-    for (const Body& body : in.bodies) {
-        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
-        if (!may_touch(body, path)) continue;
+    in.each_along(path, [&](const Body& body) {
+        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) return;
+        if (!may_touch(body, path)) return;
         const auto here = in.cast_at(body, path);
-        if (!here || (nearest && here->travelled >= contact.travelled)) continue;
+        if (!here || (nearest && here->travelled >= contact.travelled)) return;
         nearest = &body;
         contact = *here;
         path.length = contact.travelled;  // shortens the path, so that only nearer hits count from here on
-    }
+    });
     if (!nearest) return std::nullopt;
     const vec3 centre = from + contact.travelled * path.direction;
     return RayHit{nearest->key, centre - radius * contact.normal, contact.normal, contact.travelled / length};
@@ -69,29 +98,14 @@ void Physics::Impl::gather_from(const Body& body, vec3 point, detail::NearestSur
     }
 }
 
-template <class Each>
-void Physics::Impl::each_near(vec3 point, double radius, const Each& each) const {
-    const double size = radius + detail::touching;
-    detail::NearKeys keys;
-    const auto near = tree.near({point - size, point + size}, keys);
-    if (!near) {
-        for (const Body& body : bodies) each(body);
-        return;
-    }
-    auto from = bodies.begin();
-    for (const Key key : *near) {
-        from = std::ranges::lower_bound(from, bodies.end(), key, {}, &Body::key);
-        each(*from);
-    }
-}
-
 NearbyResult Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
                              Key ignore_key) const {
     THAUM_ASSERT(is_finite(point) && radius >= 0,
                  "nearby: the point is not finite or the radius is negative");
     const Impl& in = *impl_;
     detail::NearestSurfaces gathering{into, {0, radius}};
-    in.each_near(point, radius, [&](const Body& body) {
+    const double size = radius + detail::touching;
+    in.each_near({point - size, point + size}, [&](const Body& body) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) return;
         const vec3 apart = body.state.position - point;
         const double meeting = body.reach + radius;

@@ -2,6 +2,7 @@
 // Bullet's world, and the pairs in contact.
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -58,7 +59,9 @@ struct Physics::Impl {
     Settings settings;
     std::vector<detail::Mesh> meshes;
     std::vector<detail::Body> bodies;  ///< bodies, sorted by key
-    detail::BoundTree tree;            ///< bounding boxes of the bodies at their current positions
+    /// Places of the bodies in `bodies`, by key, for keys below max_bodies; others are searched.
+    std::vector<std::uint16_t> places;
+    detail::BoundTree tree;  ///< bounding boxes of the bodies at their current positions
     std::unique_ptr<detail::BulletWorld> world;
     std::vector<Contact> contacts;
     std::vector<detail::Pair> touching;  ///< pairs that pressed on each other and are still close; sorted
@@ -71,6 +74,9 @@ struct Physics::Impl {
     Impl(const Settings& s, const std::vector<TriangleMesh>& m);
     ~Impl() { world.reset(); }  // the world must be destroyed before the bodies in it
 
+    static constexpr std::uint16_t no_place = 0xffff;
+
+    void update_places();
     detail::Body* find(Key);
     detail::Body& at(Key);
     void enter_world(detail::Body&);
@@ -87,10 +93,13 @@ struct Physics::Impl {
     std::optional<detail::CastHit> cast_at(const detail::Body&, const detail::Path&) const;
     /// Adds the body's surfaces within the radius of the point.
     void gather_from(const detail::Body&, vec3 point, detail::NearestSurfaces&) const;
-    /// Calls `each` for each body whose bounding box is within the radius, and possibly for others, in the
-    /// order of keys.
+    /// Calls `each` for each body whose bounding box meets the box, and possibly for others, in the order of
+    /// keys.
     template <class Each>
-    void each_near(vec3 point, double radius, const Each& each) const;
+    void each_near(const detail::Box&, const Each& each) const;
+    /// The same for bodies whose bounding box meets the path.
+    template <class Each>
+    void each_along(detail::Path, const Each& each) const;
 };
 
 }  // namespace thaum::physics
