@@ -1,10 +1,12 @@
-// Tests of bounces against Newton's law of restitution, of swept bodies against thin walls, and of stacks
-// under a heavy load.
+// Tests of bounces against Newton's law of restitution, of swept bodies against thin walls, of stacks under a
+// heavy load, and of the contact of a person and a box.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "physics/detail/capsule_box.h"
 #include "unit/physics_scenes.h"
 
 namespace thaum::physics {
@@ -215,6 +217,86 @@ TEST(PhysicsStack, TwoHundredKilogramsOnBoxesOfTwo) {
         EXPECT_LT(sunk_stack(half, 200), 0.001) << half;
         EXPECT_LT(sunk_stack(half, 400), 0.001) << half;
     }
+}
+
+vec3 some_vector(Random& random, double size) {
+    return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+/// Smallest distance of a segment from a box around the origin, by a search of 100 steps (m).
+double searched_distance(vec3 centre, vec3 half_axis, vec3 box_half) {
+    const auto distance = [&](double t) {
+        const vec3 point = centre + t * half_axis;
+        return glm::length(point - glm::clamp(point, -box_half, box_half));
+    };
+    double low = -1, high = 1;
+    for (int i = 0; i < 100; ++i) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        const bool nearer = distance(a) <= distance(b);
+        (nearer ? high : low) = nearer ? b : a;
+    }
+    return distance(0.5 * (low + high));
+}
+
+TEST(PhysicsCapsule, NearestPointsOfASegmentAndABox) {
+    Random random{3};
+    int crossing = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const vec3 half = vec3(0.05) + glm::abs(some_vector(random, 1));
+        vec3 centre = some_vector(random, 3), axis = some_vector(random, 2);
+        if (i % 3 == 0) axis[i / 3 % 3] = 0;
+        const auto [on_axis, on_box] = detail::nearest_points(centre, axis, half);
+        const double distance = glm::length(on_axis - on_box);
+        crossing += distance == 0;
+        ASSERT_NEAR(distance, searched_distance(centre, axis, half), 1e-7) << i;
+        ASSERT_LT(glm::length(on_box - glm::clamp(on_box, -half, half)), 1e-12) << i;
+        ASSERT_LT(glm::length(glm::cross(on_axis - centre, axis)), 1e-8) << i;
+    }
+    EXPECT_GT(crossing, 100);
+}
+
+TEST(PhysicsCapsule, AlongAFaceItTouchesWithTheMiddle) {
+    for (const double slant : {0.0, 1e-12, -1e-12}) {
+        const auto [on_axis, on_box] = detail::nearest_points({1, 0.5, 0}, {slant, 1, 0}, {0.5, 1, 0.5});
+        EXPECT_NEAR(on_axis.y, 0.25, 1e-12) << slant;  // the axis is beside the face from -0.5 to 1
+        EXPECT_NEAR(on_box.x, 0.5, 1e-12) << slant;
+    }
+}
+
+/// The contact of a capsule that falls onto a turned box, in the first step.
+std::optional<Contact> capsule_contact(bool upright, bool capsule_first, double box_mass, vec3 place,
+                                       const quat& turn) {
+    Physics physics({.gravity = {}});
+    BodyDesc capsule = wizard();
+    capsule.upright = upright ? 1 : 0;
+    BodyState stone = at({});
+    stone.orientation = turn;
+    physics.add(capsule_first ? 1 : 2, capsule, at(place, -10.0 * place));
+    physics.add(capsule_first ? 2 : 1, box({0.5, 0.2, 0.4}, box_mass, 0), stone);
+    physics.step(dt);
+    if (physics.contacts().empty()) return {};
+    return physics.contacts()[0];
+}
+
+/// For capsules that can rotate, contacts are those of Bullet's iteration.
+TEST(PhysicsCapsule, UprightOnesTouchBoxesAsBulletsDo) {
+    Random random{4};
+    int compared = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const vec3 axis = glm::normalize(some_vector(random, 1) + vec3(0, 0, 1e-3));
+        const quat turn = glm::angleAxis(random.uniform(0, 3), axis);
+        const vec3 place = some_vector(random, 1.2);
+        const bool first = i % 2 == 0;
+        const double mass = i % 4 < 2 ? 0 : 20;
+        const auto ours = capsule_contact(true, first, mass, place, turn);
+        const auto bullets = capsule_contact(false, first, mass, place, turn);
+        ASSERT_EQ(ours.has_value(), bullets.has_value()) << i;
+        if (!ours) continue;
+        ASSERT_LT(glm::length(ours->normal - bullets->normal), 1e-6) << i;
+        ASSERT_LT(glm::length(ours->point - bullets->point), 1e-6) << i;
+        ++compared;
+    }
+    EXPECT_GT(compared, 300);
 }
 
 }  // namespace

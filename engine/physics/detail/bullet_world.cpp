@@ -86,6 +86,7 @@ btDefaultCollisionConstructionInfo pools_for(const Settings& settings) {
     const int pairs = static_cast<int>(std::min(settings.max_bodies, 256U)) * 4;
     info.m_defaultMaxPersistentManifoldPoolSize = pairs;
     info.m_defaultMaxCollisionAlgorithmPoolSize = pairs;
+    info.m_customCollisionAlgorithmMaxElementSize = sizeof(CapsuleBoxAlgorithm);
     return info;
 }
 
@@ -225,7 +226,7 @@ BulletBody make_body(Key key, const BodyDesc& desc, const BodyState& state, cons
 }
 
 Algorithms::Algorithms(const btDefaultCollisionConstructionInfo& info)
-    : btDefaultCollisionConfiguration(info), several_points_(m_pdSolver) {
+    : btDefaultCollisionConfiguration(info), several_points_(m_pdSolver), capsule_box_(m_pdSolver) {
     several_points_.m_numPerturbationIterations = 3;
     several_points_.m_minimumPointsPerturbationThreshold = 3;
 }
@@ -234,6 +235,10 @@ btCollisionAlgorithmCreateFunc* Algorithms::getCollisionAlgorithmCreateFunc(int 
     const bool cylinder = type_a == CYLINDER_SHAPE_PROXYTYPE || type_b == CYLINDER_SHAPE_PROXYTYPE;
     const bool both_convex = btBroadphaseProxy::isConvex(type_a) && btBroadphaseProxy::isConvex(type_b);
     if (cylinder && both_convex) return &several_points_;
+    const auto is_pair = [&](int a, int b) { return type_a == a && type_b == b; };
+    if (is_pair(CAPSULE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE) ||
+        is_pair(BOX_SHAPE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE))
+        return &capsule_box_;
     return btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(type_a, type_b);
 }
 

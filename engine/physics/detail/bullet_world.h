@@ -8,6 +8,7 @@
 
 #include "physics/detail/awake_world.h"
 #include "physics/detail/bounce.h"
+#include "physics/detail/capsule_box.h"
 #include "physics/detail/cast.h"
 #include "physics/detail/gather.h"
 #include "physics/physics.h"
@@ -55,9 +56,9 @@ BodyState read_state(const btRigidBody&);
 
 inline Key key_of(const btCollisionObject& object) { return static_cast<Key>(object.getUserIndex()); }
 
-/// Bullet's default collision algorithms, except for cylinders. By default Bullet finds one new contact point
-/// in each step, which is enough for round shapes. A cylinder that lands flat would turn about that point and
-/// lose a fifth of its bounce.
+/// Bullet's default collision algorithms, except for cylinders and persons on boxes. By default Bullet finds
+/// one new contact point in each step, which is enough for round shapes. A cylinder that lands flat would
+/// turn about that point and lose a fifth of its bounce.
 class Algorithms : public btDefaultCollisionConfiguration {
 public:
     explicit Algorithms(const btDefaultCollisionConstructionInfo&);
@@ -65,6 +66,7 @@ public:
 
 private:
     btConvexConvexAlgorithm::CreateFunc several_points_;
+    CapsuleBoxAlgorithm::CreateFunc capsule_box_;
 };
 
 /// Bullet's world and its parts. Bodies must outlive this object.
