@@ -10,10 +10,13 @@ Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
     auto fluid = fluid::make_fluid(brew_settings(rules, basin));
     if (!fluid) return fluid.error();
     const vec3 corner = brew_corner(fluid->settings);
-    return Brew{.fluid = std::move(*fluid),
-                .surface = fluid::make_spring_surface(brew_surface(rules, basin)),
-                .scratch = {},
-                .corner = corner};
+    Brew brew{.fluid = std::move(*fluid),
+              .surface = fluid::make_spring_surface(brew_surface(rules, basin)),
+              .scratch = {},
+              .corner = corner};
+    // A step of no time sizes the working memory, so that the first stir of a match does not allocate.
+    fluid::advance(brew.surface, brew.scratch, {}, 0);
+    return brew;
 }
 
 std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t ingredient) {
