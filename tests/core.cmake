@@ -2,10 +2,10 @@ thaum_test(test_core
     SOURCES accuracy/maths.cpp unit/core_bytes.cpp unit/core_config.cpp unit/core_file_watch.cpp unit/core_gzip.cpp
             unit/core_json.cpp unit/core_memory.cpp unit/core_registry.cpp unit/core_table.cpp unit/core_values.cpp
     THREAD_SOURCES
-        unit/core_file.cpp unit/core_jobs.cpp unit/core_queues.cpp
+        unit/core_file.cpp unit/core_jobs.cpp unit/core_queues.cpp unit/core_team.cpp
     LINK thaum_core nlohmann_json::nlohmann_json
     NOT_SANITIZED CoreMemoryDeathTest.*  # sanitizers replace the allocator
-    THREADS Threads.* *JobsByThreads.* CoreJobs.* CoreFile.AReaderNever* SpscQueue.* TripleBuffer.*)
+    THREADS Threads.* *JobsByThreads.* CoreJobs.* CoreTeam.* CoreFile.AReaderNever* SpscQueue.* TripleBuffer.*)
 
 if(NOT THAUM_SANITIZE)
     # Rules of the source tree: dependencies between folders, no paths of one machine, no test left out of the

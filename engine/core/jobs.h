@@ -46,6 +46,8 @@ public:
     static Ticket prepare(std::function<void()> job);
     /// Submits a job made by prepare(), which must have ended. Unlike the other `run`, it allocates nothing.
     void run(const Ticket& prepared);
+    /// Number of threads that execute jobs.
+    std::size_t threads() const { return threads_.size(); }
 
 private:
     void submit(std::shared_ptr<Ticket::Job> job);

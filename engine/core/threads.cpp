@@ -1,5 +1,8 @@
 #include "core/threads.h"
 
+#include <sched.h>
+
+#include <algorithm>
 #include <csignal>
 
 namespace thaum {
@@ -18,6 +21,12 @@ void FaultStack::end_use() noexcept {
     none.ss_flags = SS_DISABLE;
     if (used_) ::sigaltstack(&none, nullptr);
     used_ = false;
+}
+
+unsigned processors() noexcept {
+    cpu_set_t allowed;
+    if (::sched_getaffinity(0, sizeof allowed, &allowed) != 0) return 1;
+    return static_cast<unsigned>(std::max(1, CPU_COUNT(&allowed)));
 }
 
 }  // namespace thaum

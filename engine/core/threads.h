@@ -27,6 +27,9 @@ private:
     bool used_ = false;
 };
 
+/// Number of processors on which this process may run, at least 1.
+unsigned processors() noexcept;
+
 /// Runs `body` in a new thread that has a FaultStack. The thread's destructor waits until `body` returns. The
 /// error is one line with the system's reason.
 template <class Body>

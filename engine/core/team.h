@@ -1,0 +1,79 @@
+// core/team.h: threads that share the loops of one computation.
+//
+// One thread, the leader, does the computation. Where it comes to a long loop, it divides the loop into
+// slices and calls `each`. Other threads may help: between `open` and `close` they take slices of every such
+// loop. Nobody is waited for: a slice goes to whoever asks for it first, and the leader does what nobody
+// else takes.
+//
+//     leader    open ── each(8) ─────────── each(8) ──────── close
+//                        0 1 3 5 7           0 2 3 5 6
+//     helper      help ─ 2 4 6 ───(spins)──  1 4 7 ────────── returns
+//
+// Which thread does a slice is not defined. So that results do not depend on it, a slice must not read what
+// another slice of the same loop writes, and sums over slices must be taken by the leader in a fixed order.
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+namespace thaum {
+
+/// Threads that share the loops of one computation. The leader calls `each`, other threads call `help`.
+class Team {
+public:
+    static constexpr unsigned max_threads = 4;  ///< largest number of threads that work at once
+    static constexpr int max_slices = 1 << 15;  ///< largest number of slices of a loop
+
+    Team() = default;
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+
+    /// Lets helpers in. May be called by another thread than the leader, before the leader begins.
+    void open();
+    /// Sends the helpers away. The leader calls it after its last loop.
+    void close();
+
+    /// Takes slices of the leader's loops until `close`. Returns at once if the team is not open or has
+    /// enough threads. Between two loops it spins for up to 0.1 ms, then sleeps.
+    void help();
+
+    /// Whether a helper is there. If not, the leader need not divide a loop.
+    bool has_helpers() const { return seats_.load(std::memory_order_relaxed) != 0; }
+
+    /// Calls body(slice, seat) once for each slice from 0 to slices - 1, and returns when all have ended.
+    /// Only the leader calls it. `seat` is below max_threads and differs between threads that work at the
+    /// same time, so that each can have scratch memory of its own. Without helpers, the slices are done in
+    /// order.
+    template <class Body>
+    void each(int slices, Body&& body) {
+        if (!has_helpers() || slices < 2) {
+            for (int slice = 0; slice < slices; ++slice) body(slice, 0U);
+            return;
+        }
+        using Type = std::remove_reference_t<Body>;
+        run(slices, {const_cast<void*>(static_cast<const void*>(std::addressof(body))),
+                     [](void* of, int slice, unsigned seat) { (*static_cast<Type*>(of))(slice, seat); }});
+    }
+
+private:
+    /// A loop's body, whatever its type is.
+    struct Loop {
+        void* body;
+        void (*call)(void* body, int slice, unsigned seat);
+    };
+
+    void run(int slices, const Loop& loop);
+    bool take(std::uint64_t& seen, unsigned seat);
+    std::uint64_t wait_for_change(std::uint64_t seen) const;
+    unsigned sit_down();
+
+    /// Number of the loop, its next slice, its number of slices, and whether the team is open (team.cpp). One
+    /// word, so that a helper that is late cannot take a slice of another loop than it believes.
+    alignas(64) std::atomic<std::uint64_t> work_{0};
+    Loop loop_{};                                 ///< written by the leader while no slice can be taken
+    alignas(64) std::atomic<int> done_{0};        ///< number of slices that have ended
+    alignas(64) std::atomic<unsigned> seats_{0};  ///< a bit for each helper that is there
+};
+
+}  // namespace thaum
