@@ -212,10 +212,10 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
     return true;
 }
 
-StepReport advance(Fluid& fluid, double dt) {
+StepReport advance(Fluid& fluid, double dt, Team* team) {
     if (fluid.state.asleep || !(dt > 0)) return {};
     dt = std::min(dt, 1.0);
-    if (fluid.work->staggered) return fluid.work->staggered->step(fluid.settings, fluid.state, dt);
+    if (fluid.work->staggered) return fluid.work->staggered->step(fluid.settings, fluid.state, dt, team);
     return fluid.work->apart->step(fluid, dt);
 }
 
@@ -283,8 +283,9 @@ vec3 momentum(const Fluid& fluid) {
 
 double energy(const Fluid& fluid) {
     const auto* shares = fluid.work->staggered ? fluid.work->staggered->energy_shares() : nullptr;
+    Team alone;
     return volume_of_cell(fluid.lattice) *
-           velocity_norms(whole_rows(fluid.lattice), fluid.state.velocity, shares).half_square;
+           velocity_norms(whole_rows(fluid.lattice), fluid.state.velocity, shares, alone).half_square;
 }
 
 double amount(const Fluid& fluid, std::size_t substance) {

@@ -15,9 +15,9 @@
 //                Substances are conserved and never fall below zero.
 //     classic    The paper's own method (Stam 1999 in three dimensions): the measured baseline.
 //
-// The interface is plain data and functions, without threads or clocks. The same calls give the same
-// bits on every run. Lengths are in m, times in s. The density of the fluid is left out: pressures,
-// forces and impulses are per unit of density.
+// The interface is plain data and functions, without clocks or threads of its own: the caller may lend a
+// team of threads to a step. The same calls give the same bits on every run. Lengths are in m, times in s.
+// The density of the fluid is left out: pressures, forces and impulses are per unit of density.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -25,6 +25,7 @@
 
 #include "core/error.h"
 #include "core/maths.h"
+#include "core/team.h"
 #include "fluid/lattice.h"
 
 namespace thaum::fluid {
@@ -153,8 +154,9 @@ struct StepReport {
     std::int64_t cells{};  ///< work of the step: number of cells times sub-steps
 };
 
-/// Advances the fluid by dt (s), 0 < dt <= 1. A fluid at rest without forces costs nothing.
-StepReport advance(Fluid& fluid, double dt);
+/// Advances the fluid by dt (s), 0 < dt <= 1. A fluid at rest without forces costs nothing. Helpers of
+/// `team`, if it is not null, share the work of `thaum`; the bits of the result do not depend on them.
+StepReport advance(Fluid& fluid, double dt, Team* team = nullptr);
 
 /// Advances only the substances by dt (s), carried by the current velocity.
 void carry_substances(Fluid& fluid, double dt);

@@ -102,26 +102,43 @@ bool has_simple_ends(const Lattice& lattice) {
     return lattice.edges[0] != Edge::periodic && lattice.cells[0] > ghosts;
 }
 
-void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
-    each_row(lattice, [&](std::ptrdiff_t at) { fill_row(lattice, all, cells + at); });
+/// Calls `visit` with the start of each lattice row in `layers` whose ghosts across x mirror fluid.
+template <class Visit>
+void each_row_near_sides(const Rows& rows, Layers layers, const Visit& visit) {
+    const auto& all = rows.rows_near_sides;
+    const auto from = std::ranges::lower_bound(all, rows.lattice.at(0, 0, layers.first));
+    const auto end = rows.lattice.at(0, 0, layers.end);
+    for (auto at = from; at != all.end() && *at < end; ++at) visit(*at);
 }
 
-void fill_x(const Rows& rows, const Mirrors& all, float* cells) {
-    for (const std::ptrdiff_t at : rows.rows_near_sides) fill_row(rows.lattice, all, cells + at);
+void fill_x(const Lattice& lattice, Layers layers, const Mirrors& all, float* cells) {
+    each_row(lattice, layers, [&](std::ptrdiff_t at) { fill_row(lattice, all, cells + at); });
 }
 
-void fill_y(const Lattice& lattice, const Mirrors& all, float* cells) {
+void fill_x(const Rows& rows, Layers layers, const Mirrors& all, float* cells) {
+    each_row_near_sides(rows, layers, [&](std::ptrdiff_t at) { fill_row(rows.lattice, all, cells + at); });
+}
+
+void fill_y(const Lattice& lattice, Layers layers, const Mirrors& all, float* cells) {
     const auto row = lattice.stride[1];
-    for (int k = 0; k < lattice.cells[2]; ++k) {
+    for (int k = layers.first; k < layers.end; ++k) {
         float* plane = cells + lattice.at(-ghosts, 0, k);
         for (const Mirror& m : all) copy_scaled(plane + m.from * row, plane + m.to * row, row, m.factor);
     }
 }
 
-void fill_z(const Lattice& lattice, const Mirrors& all, float* cells) {
+/// Whether a ghost layer across z copies one of `layers`. The wall behind the last layer counts as that
+/// layer.
+bool copies(const Mirror& m, Layers layers, const Lattice& lattice) {
+    return layers.contains(std::min(m.from, lattice.cells[2] - 1));
+}
+
+void fill_z(const Lattice& lattice, Layers layers, const Mirrors& all, float* cells) {
     const auto plane = lattice.stride[2];
     float* first = cells + lattice.at(-ghosts, -ghosts, 0);
-    for (const Mirror& m : all) copy_scaled(first + m.from * plane, first + m.to * plane, plane, m.factor);
+    for (const Mirror& m : all)
+        if (copies(m, layers, lattice))
+            copy_scaled(first + m.from * plane, first + m.to * plane, plane, m.factor);
 }
 
 /// Copies row j of layer k, including its ghost cells, from another row, times `factor`.
@@ -134,16 +151,16 @@ bool holds_fluid(const Rows& rows, int j, int k) {
     return j >= 0 && j < rows.lattice.cells[1] && rows.at(j, k).count > 0;
 }
 
-void fill_y(const Rows& rows, const Mirrors& all, float* cells) {
-    for (int k = 0; k < rows.lattice.cells[2]; ++k)
+void fill_y(const Rows& rows, Layers layers, const Mirrors& all, float* cells) {
+    for (int k = layers.first; k < layers.end; ++k)
         for (const Mirror& m : all)
             if (holds_fluid(rows, m.from, k)) copy_row(rows.lattice, m.from, k, m.to, k, m.factor, cells);
 }
 
-void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
-    const auto [nx, ny, nz] = rows.lattice.cells;
+void fill_z(const Rows& rows, Layers layers, const Mirrors& all, float* cells) {
+    const int ny = rows.lattice.cells[1];
     for (const Mirror& m : all) {
-        if (m.from >= nz) continue;
+        if (!layers.contains(m.from)) continue;
         const auto copy = [&](int j) { copy_row(rows.lattice, j, m.from, j, m.to, m.factor, cells); };
         // Rows next to the two sides across y are mirrored into the ghosts, so those ghosts are copied
         // together with the rows.
@@ -162,26 +179,37 @@ void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
     }
 }
 
+void fill_across(const Lattice& lattice, Layers layers, std::size_t axis, GhostRule rule, float* cells) {
+    if (axis == 0 && has_simple_ends(lattice))
+        return each_row(lattice, layers,
+                        [&](std::ptrdiff_t at) { fill_ends(lattice, rule, ghosts, cells + at); });
+    constexpr std::array<void (*)(const Lattice&, Layers, const Mirrors&, float*), 3> fill{fill_x, fill_y,
+                                                                                           fill_z};
+    fill[axis](lattice, layers, mirrors(lattice.cells[axis], lattice.edges[axis], rule, ghosts), cells);
+}
+
 }  // namespace
 
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples) {
-    if (axis == 0 && has_simple_ends(lattice))
-        return each_row(lattice,
-                        [&](std::ptrdiff_t at) { fill_ends(lattice, rule, ghosts, samples.data() + at); });
-    constexpr std::array<void (*)(const Lattice&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
-    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], rule, ghosts), samples.data());
+    fill_across(lattice, all_layers(lattice), axis, rule, samples.data());
+}
+
+void fill_ghosts_across(const Rows& rows, Layers layers, std::size_t axis, GhostRule rule, Samples& samples,
+                        int depth) {
+    const Lattice& lattice = rows.lattice;
+    if (rows.complete) return fill_across(lattice, layers, axis, rule, samples.data());
+    if (axis == 0 && has_simple_ends(lattice)) {
+        each_row_near_sides(rows, layers,
+                            [&](std::ptrdiff_t at) { fill_ends(lattice, rule, depth, samples.data() + at); });
+        return;
+    }
+    constexpr std::array<void (*)(const Rows&, Layers, const Mirrors&, float*), 3> fill{fill_x, fill_y,
+                                                                                        fill_z};
+    fill[axis](rows, layers, mirrors(lattice.cells[axis], lattice.edges[axis], rule, depth), samples.data());
 }
 
 void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples, int depth) {
-    const Lattice& lattice = rows.lattice;
-    if (rows.complete) return fill_ghosts_across(lattice, axis, rule, samples);
-    if (axis == 0 && has_simple_ends(lattice)) {
-        for (const std::ptrdiff_t at : rows.rows_near_sides)
-            fill_ends(lattice, rule, depth, samples.data() + at);
-        return;
-    }
-    constexpr std::array<void (*)(const Rows&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
-    fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], rule, depth), samples.data());
+    fill_ghosts_across(rows, all_layers(rows.lattice), axis, rule, samples, depth);
 }
 
 // The axes are filled one after another, so edges and corners copy ghosts that are already filled.
@@ -190,7 +218,13 @@ void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, S
 }
 
 void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples, int depth) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, rule[axis], samples, depth);
+    fill_ghosts(rows, all_layers(rows.lattice), rule, samples, depth);
+}
+
+void fill_ghosts(const Rows& rows, Layers layers, const std::array<GhostRule, 3>& rule, Samples& samples,
+                 int depth) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        fill_ghosts_across(rows, layers, axis, rule[axis], samples, depth);
 }
 
 std::array<GhostRule, 3> ghost_rules_of_velocity(const Lattice& lattice, std::size_t axis) {

@@ -30,6 +30,13 @@ void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samp
 /// Writes all ghost cells beside the rows with fluid, `depth` layers deep.
 void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples,
                  int depth = ghosts);
+/// Like the two functions above, but only those ghosts that copy the given layers. If threads fill different
+/// layers at the same time, no ghost is written twice. Before ghosts across z are filled, those across x and
+/// y of the same layers must be: `fill_ghosts` does that.
+void fill_ghosts_across(const Rows& rows, Layers layers, std::size_t axis, GhostRule rule, Samples& samples,
+                        int depth = ghosts);
+void fill_ghosts(const Rows& rows, Layers layers, const std::array<GhostRule, 3>& rule, Samples& samples,
+                 int depth = ghosts);
 
 /// How component `axis` of a velocity continues beyond the sides of the box across x, y and z.
 std::array<GhostRule, 3> ghost_rules_of_velocity(const Lattice& lattice, std::size_t axis);

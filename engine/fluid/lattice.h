@@ -60,14 +60,27 @@ inline Lattice make_lattice(Cells cells, double h, Edges edges) {
 /// Samples of a lattice, all 0.
 inline Samples make_samples(const Lattice& lattice) { return Samples(lattice.size, 0.0F); }
 
-/// Calls `visit` with the index of the first cell of each row along x, in one layer or in all layers.
+/// Consecutive layers of cells across z: `first` to `end` - 1.
+struct Layers {
+    int first{}, end{};
+
+    bool contains(int layer) const { return layer >= first && layer < end; }
+};
+
+inline Layers all_layers(const Lattice& lattice) { return {0, lattice.cells[2]}; }
+
+/// Calls `visit` with the index of the first cell of each row along x, in one, some or all layers.
 template <class Visit>
 void each_row(const Lattice& lattice, int k, Visit&& visit) {
     for (int j = 0; j < lattice.cells[1]; ++j) visit(lattice.at(0, j, k));
 }
 template <class Visit>
+void each_row(const Lattice& lattice, Layers layers, Visit&& visit) {
+    for (int k = layers.first; k < layers.end; ++k) each_row(lattice, k, visit);
+}
+template <class Visit>
 void each_row(const Lattice& lattice, Visit&& visit) {
-    for (int k = 0; k < lattice.cells[2]; ++k) each_row(lattice, k, visit);
+    each_row(lattice, all_layers(lattice), visit);
 }
 
 /// Calls `visit` with i, j, k and the index of each cell.

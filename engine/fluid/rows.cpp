@@ -39,8 +39,10 @@ Rows rows_above_zero(const Lattice& lattice, const Samples& values) {
     return result;
 }
 
-void clear(const Rows& rows, Samples& samples) {
-    each_row(rows, [&](Row row) { std::fill_n(samples.data() + row.at, row.count, 0.0F); });
+void clear(const Rows& rows, Samples& samples) { clear(rows, all_layers(rows.lattice), samples); }
+
+void clear(const Rows& rows, Layers layers, Samples& samples) {
+    each_row(rows, layers, [&](Row row) { std::fill_n(samples.data() + row.at, row.count, 0.0F); });
 }
 
 }  // namespace thaum::fluid

@@ -39,12 +39,18 @@ Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);
 /// Sets the samples in the rows to 0.
 void clear(const Rows& rows, Samples& samples);
+/// The same in some layers.
+void clear(const Rows& rows, Layers layers, Samples& samples);
 
-/// Calls `visit` with each Row that holds fluid, in one layer or in all layers.
+/// Calls `visit` with each Row that holds fluid, in one, some or all layers.
 template <class Visit>
 void each_row(const Rows& rows, int k, Visit&& visit) {
     for (int j = 0; j < rows.lattice.cells[1]; ++j)
         if (const Row row = rows.at(j, k); row.count > 0) visit(row);
+}
+template <class Visit>
+void each_row(const Rows& rows, Layers layers, Visit&& visit) {
+    for (int k = layers.first; k < layers.end; ++k) each_row(rows, k, visit);
 }
 template <class Visit>
 void each_row(const Rows& rows, Visit&& visit) {

@@ -15,6 +15,8 @@
 namespace thaum::fluid {
 namespace {
 
+Team alone;  // no thread helps here
+
 constexpr Edges open_above{Edge::no_slip, Edge::free_slip, Edge::no_slip};
 constexpr Edges round_about{Edge::periodic, Edge::periodic, Edge::periodic};
 
@@ -46,12 +48,12 @@ TEST(FluidSolids, AProjectionRemovesDivergenceAtACostIndependentOfTheGrid) {
         auto velocity = random_flow(lattice, &solids);
         Samples potential = make_samples(lattice);
         const double share = 1e-4;
-        const auto found = solids.project(velocity, potential, share, 100);
+        const auto found = solids.project(velocity, potential, share, 100, alone);
         EXPECT_LE(found.divergence, share * n * largest(solids.rows(), velocity)) << n;
         EXPECT_LE(found.iterations, 16) << n;
         EXPECT_GE(found.iterations, 4) << n;
         // A second projection needs no iterations, because no divergence is left.
-        EXPECT_EQ(solids.project(velocity, potential, 2 * share, 100).iterations, 0) << n;
+        EXPECT_EQ(solids.project(velocity, potential, 2 * share, 100, alone).iterations, 0) << n;
     }
 }
 
@@ -62,11 +64,11 @@ TEST(FluidSolids, AProjectionRemovesGradientsAndKeepsSolenoidalFlow) {
     auto velocity = random_flow(lattice, &solids);
     Samples potential = make_samples(lattice);
     const double before = square(lattice, velocity);
-    solids.project(velocity, potential, 1e-6, 100);
+    solids.project(velocity, potential, 1e-6, 100, alone);
     const double free = square(lattice, velocity);
     EXPECT_LT(free, 0.8 * before);
     auto again = velocity;
-    solids.project(again, potential, 1e-6, 100);
+    solids.project(again, potential, 1e-6, 100, alone);
     EXPECT_NEAR(square(lattice, again), free, 1e-5 * free);
     for (auto& u : velocity) std::fill(u.begin(), u.end(), 0.0F);
     for (int k = 0; k < n; ++k)
@@ -76,7 +78,7 @@ TEST(FluidSolids, AProjectionRemovesGradientsAndKeepsSolenoidalFlow) {
                     static_cast<float>(j * j) / (n * n);
     solids.clear_closed_faces(velocity);
     const double gradient = square(lattice, velocity);
-    solids.project(velocity, potential, 1e-6, 100);
+    solids.project(velocity, potential, 1e-6, 100, alone);
     EXPECT_LT(square(lattice, velocity), 1e-10 * gradient);
 }
 
@@ -88,13 +90,13 @@ TEST(FluidSolids, AProjectionStartsFromTheLastOneAndABadGuessDoesNoHarm) {
     const auto flow = random_flow(lattice, &solids);
     const auto iterations = [&](Samples guess, const std::array<Samples, 3>& given) {
         auto velocity = given;
-        const auto found = solids.project(velocity, guess, share, 100);
+        const auto found = solids.project(velocity, guess, share, 100, alone);
         EXPECT_LE(found.divergence, share * n * largest(solids.rows(), velocity));
         return found.iterations;
     };
     Samples known = make_samples(lattice);
     auto projected = flow;
-    solids.project(projected, known, share, 100);
+    solids.project(projected, known, share, 100, alone);
     const int without = iterations(make_samples(lattice), flow);
     EXPECT_LE(iterations(known, flow), 1);
     // Here the solver starts from a potential of the wrong size: the known one belongs to twice this
@@ -272,7 +274,7 @@ TEST(FluidSolids, AThickBrewIsStiller) {
 void spread(const Lattice& lattice, double nu, double dt, std::array<Samples, 3>& velocity) {
     Viscosity viscosity(lattice);
     const Samples everywhere(lattice.size, static_cast<float>(nu));
-    viscosity.diffuse({.viscosity = &everywhere, .dt = dt}, velocity);
+    viscosity.diffuse({.viscosity = &everywhere, .dt = dt}, velocity, alone);
 }
 
 TEST(FluidViscosity, ConvergesToTheExactSolutionInFirstOrder) {

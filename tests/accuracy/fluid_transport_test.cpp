@@ -142,9 +142,10 @@ TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& densi
                       const FaceApertures* face_apertures = nullptr) {
     FaceFlow face_flow = make_face_flow(l);
     TransportScratch scratch = make_transport_scratch(l);
-    set_face_flow(l, velocity, velocity, face_apertures, seconds / steps, face_flow);
+    Team alone;
+    set_face_flow(l, velocity, velocity, face_apertures, seconds / steps, face_flow, alone);
     TransportReport report;
-    for (int i = 0; i < steps; ++i) report = transport(l, face_flow, settings, density, scratch);
+    for (int i = 0; i < steps; ++i) report = transport(l, face_flow, settings, density, scratch, alone);
     return report;
 }
 
@@ -237,13 +238,14 @@ Deformed deformed(double (*shape)(vec3), int n, double courant) {
     Samples density = before;
     FaceFlow face_flow = make_face_flow(l);
     TransportScratch scratch = make_transport_scratch(l);
+    Team alone;
     const Velocity start = deformation_at_start(l);
     const int steps = flows::steps_of_deformation(n, courant);
     Deformed result{.error = 0, .least = 0, .most = 0, .change = 0};
     for (int i = 0; i < steps; ++i) {
         const Velocity velocity = times(det::cos(pi * (i + 0.5) / steps), start);
-        set_face_flow(l, velocity, velocity, nullptr, flows::deformation_end / steps, face_flow);
-        transport(l, face_flow, {}, density, scratch);
+        set_face_flow(l, velocity, velocity, nullptr, flows::deformation_end / steps, face_flow, alone);
+        transport(l, face_flow, {}, density, scratch, alone);
         result.least = std::min(result.least, double{least(l, density)});
         result.most = std::max(result.most, largest(l, density));
     }
@@ -273,7 +275,10 @@ TEST(TransportAccuracy, AStretchedShapeStaysWithinItsBoundsAndReturns) {
 TEST(Transport, SegregationTellsABodyFromAHillAndAMixture) {
     const Lattice l = make_lattice({33, 32, 32}, 1.0 / 32, all_walls);
     const auto found = [&](const std::function<double(vec3)>& value) {
-        return segregation(whole_rows(l), 33 * 32 * 32, field(l, value));
+        const Rows rows = whole_rows(l);
+        std::vector<SegregationOfRow> of_rows(rows.rows.size());
+        segregation_of_rows(rows, all_layers(l), field(l, value), of_rows);
+        return segregation(rows, 33 * 32 * 32, of_rows);
     };
     EXPECT_NEAR(found([](vec3 at) { return 7 * flows::deformed_sphere(at); }), 1, 1e-5);
     EXPECT_NEAR(found([](vec3 at) { return at.x > 0.7 ? 0 : 0.2; }), 1, 1e-5);

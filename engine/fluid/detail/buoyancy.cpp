@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "fluid/detail/split.h"
+
 namespace thaum::fluid {
 namespace {
 
@@ -95,34 +97,37 @@ void add_weight_of(const LevelFaces& faces, float pull, const LevelMeans& means,
 }  // namespace
 
 void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open, const vec3& gravity,
-                const Samples& weight, std::array<Samples, 3>& force) {
+                const Samples& weight, std::array<Samples, 3>& force, Team& team) {
     const std::size_t down = gravity.y != 0 ? 1 : gravity.z != 0 ? 2 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto pull = static_cast<float>(gravity[static_cast<int>(axis)]);
         if (pull == 0) continue;
-        LevelFaces faces{.rows = rows,
-                         .axis = axis,
-                         .first = {},
-                         .end = rows.lattice.cells,
-                         .order = order,
-                         .weight = weight.data(),
-                         .open = open != nullptr ? (*open)[axis].data() : nullptr};
+        const LevelFaces all{.rows = rows,
+                             .axis = axis,
+                             .first = {},
+                             .end = rows.lattice.cells,
+                             .order = order,
+                             .weight = weight.data(),
+                             .open = open != nullptr ? (*open)[axis].data() : nullptr};
         // For axis x, every row contains all levels, so all rows form one group.
         const int groups = axis == 0 ? 1 : rows.lattice.cells[axis];
-        for (int group = 0; group < groups; ++group) {
-            if (axis != 0) {
-                faces.first[axis] = group;
-                faces.end[axis] = group + 1;
+        each_slice(team, Split(team, groups), [&](Layers slice, unsigned) {
+            for (int group = slice.first; group < slice.end; ++group) {
+                LevelFaces faces = all;
+                if (axis != 0) {
+                    faces.first[axis] = group;
+                    faces.end[axis] = group + 1;
+                }
+                add_weight_of(faces, pull, axis == down ? means_of(faces) : LevelMeans{}, force[axis].data());
             }
-            add_weight_of(faces, pull, axis == down ? means_of(faces) : LevelMeans{}, force[axis].data());
-        }
+        });
     }
 }
 
-void predict_weight(const Rows& rows, const std::array<Samples, 3>& velocity,
+void predict_weight(const Rows& rows, Layers layers, const std::array<Samples, 3>& velocity,
                     const std::array<Samples, 3>* open, double time, const Samples& weight, Samples& moved) {
     const auto part = static_cast<float>(time / (2 * rows.lattice.h));
-    each_row(rows, [&](Row row) {
+    each_row(rows, layers, [&](Row row) {
         const auto across = [&](std::size_t axis) {
             return AxisAdvection{velocity[axis].data() + row.at,
                                  open != nullptr ? (*open)[axis].data() + row.at : nullptr,

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "core/maths.h"
+#include "core/team.h"
 #include "fluid/rows.h"
 
 namespace thaum::fluid {
@@ -17,13 +18,13 @@ namespace thaum::fluid {
 /// is left out, because pressure balances it. `open` holds the shares of the faces that no solid covers; null
 /// means all are open.
 void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open, const vec3& gravity,
-                const Samples& weight, std::array<Samples, 3>& force);
+                const Samples& weight, std::array<Samples, 3>& force, Team& team);
 
-/// Predicts where the flow will have carried `weight` after `time` (s), in one step of first order with
-/// central differences. The ghosts of `weight` must be filled. The result is only a prediction: the amount is
-/// not conserved, but a constant stays constant. `open` holds the open shares of faces; null means all are
-/// open.
-void predict_weight(const Rows& rows, const std::array<Samples, 3>& velocity,
+/// Predicts for some layers where the flow will have carried `weight` after `time` (s), in one step of first
+/// order with central differences. The ghosts of `weight` must be filled. The result is only a prediction:
+/// the amount is not conserved, but a constant stays constant. `open` holds the open shares of faces; null
+/// means all are open.
+void predict_weight(const Rows& rows, Layers layers, const std::array<Samples, 3>& velocity,
                     const std::array<Samples, 3>* open, double time, const Samples& weight, Samples& moved);
 
 /// Potential energy that diffusion with the coefficient k = 1 m^2/s adds per second, summed over cells (1/s^2

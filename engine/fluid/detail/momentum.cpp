@@ -157,7 +157,9 @@ Momentum::Momentum(const Lattice& lattice, int order, const Solids* solids)
       order_(order),
       solids_(solids),
       rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)) {
-    for (auto& plane : planes_) plane.resize(static_cast<std::size_t>(lattice.stride[2]) + 8);
+    for (auto& planes : planes_)
+        for (auto& plane : planes)
+            plane.resize(order == 4 ? static_cast<std::size_t>(lattice.stride[2]) + 8 : 0);
     for (int k = 0; k < lattice.cells[2]; ++k) layer_bounds_.push_back(bounds_of_layer(k));
 }
 
@@ -179,40 +181,44 @@ Momentum::LayerBounds Momentum::bounds_of_layer(int k) const {
 
 /// Interpolates the advecting velocity (which carries the momentum) along z on the low faces of layer k, for
 /// all its rows.
-void Momentum::interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k) {
-    float* plane = planes_[plane_along_z(k)].data();
+void Momentum::interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k,
+                                          Planes& planes) {
+    float* plane = planes[plane_along_z(k)].data();
     for (int j = 0; j < lattice_.cells[1]; ++j)
         interpolate_row(velocity_z.data() + lattice_.at(0, j, k), step, lattice_.cells[0],
                         plane + place_in_plane(lattice_, 0, j));
 }
 
 /// Interpolates the advecting velocities along x and y for the part of layer k that contains all its fluid.
-void Momentum::interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k) {
+void Momentum::interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k,
+                                    Planes& planes) {
     const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
     const auto start = static_cast<int>(bounds.start);
     for (int j = bounds.first; j < bounds.end; ++j)
         interpolate_row(velocity[0].data() + lattice_.at(start - 1, j, k), step,
                         round_up_to_8(bounds.count + 3),
-                        planes_[0].data() + place_in_plane(lattice_, start - 1, j));
+                        planes[0].data() + place_in_plane(lattice_, start - 1, j));
     for (int j = bounds.first - 1; j < bounds.end + 2; ++j)
         interpolate_row(velocity[1].data() + lattice_.at(start, j, k), step, bounds.count,
-                        planes_[1].data() + place_in_plane(lattice_, start, j));
+                        planes[1].data() + place_in_plane(lattice_, start, j));
 }
 
 template <bool viscous, std::size_t axis>
-void Momentum::component_of_fourth(const RungeKuttaStage& stage, float viscosity) {
+void Momentum::component_of_fourth(const RungeKuttaStage& stage, float viscosity, Layers layers,
+                                   Planes& planes) {
     const auto step = lattice_.stride[axis];
     const auto factors = flux_factors<true>(static_cast<float>(lattice_.h), viscosity);
-    for (int k = -1; k < 2; ++k) interpolate_between_layers(stage.from[2], step, k);
-    for (int k = 0; k < lattice_.cells[2]; ++k) {
-        interpolate_between_layers(stage.from[2], step, k + 2);
+    for (int k = layers.first - 1; k < layers.first + 2; ++k)
+        interpolate_between_layers(stage.from[2], step, k, planes);
+    for (int k = layers.first; k < layers.end; ++k) {
+        interpolate_between_layers(stage.from[2], step, k + 2, planes);
         const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
         if (bounds.count == 0) continue;
-        interpolate_in_layer(stage.from, step, k);
+        interpolate_in_layer(stage.from, step, k, planes);
         for (int j = bounds.first; j < bounds.end; ++j) {
             const Row row = rows_.at(j, k);
             const auto i = static_cast<int>(row.at - lattice_.at(0, j, k));
-            const auto by = carrying_rows(planes_, lattice_, place_in_plane(lattice_, i, j), k);
+            const auto by = carrying_rows(planes, lattice_, place_in_plane(lattice_, i, j), k);
             take_row<viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],
                               stage.from[axis].data() + row.at, row.count, factors,
                               row_targets(stage, solids_, axis, row.at), stage.sum_part, stage.next_part);
@@ -221,9 +227,9 @@ void Momentum::component_of_fourth(const RungeKuttaStage& stage, float viscosity
 }
 
 template <bool viscous, std::size_t axis>
-void Momentum::component_of_second(const RungeKuttaStage& stage, float viscosity) {
+void Momentum::component_of_second(const RungeKuttaStage& stage, float viscosity, Layers layers) {
     const auto factors = flux_factors<false>(static_cast<float>(lattice_.h), viscosity);
-    each_row(rows_, [&](Row row) {
+    each_row(rows_, layers, [&](Row row) {
         const auto by = [&](std::size_t along) {
             return CarryingSamples{stage.from[along].data() + row.at, lattice_.stride[axis],
                                    lattice_.stride[along]};
@@ -235,24 +241,27 @@ void Momentum::component_of_second(const RungeKuttaStage& stage, float viscosity
 }
 
 template <bool fourth, bool viscous>
-void Momentum::components(const RungeKuttaStage& stage, float viscosity) {
+void Momentum::components(const RungeKuttaStage& stage, float viscosity, Layers layers, Planes& planes) {
     if constexpr (fourth) {
-        component_of_fourth<viscous, 0>(stage, viscosity);
-        component_of_fourth<viscous, 1>(stage, viscosity);
-        component_of_fourth<viscous, 2>(stage, viscosity);
+        component_of_fourth<viscous, 0>(stage, viscosity, layers, planes);
+        component_of_fourth<viscous, 1>(stage, viscosity, layers, planes);
+        component_of_fourth<viscous, 2>(stage, viscosity, layers, planes);
     } else {
-        component_of_second<viscous, 0>(stage, viscosity);
-        component_of_second<viscous, 1>(stage, viscosity);
-        component_of_second<viscous, 2>(stage, viscosity);
+        component_of_second<viscous, 0>(stage, viscosity, layers);
+        component_of_second<viscous, 1>(stage, viscosity, layers);
+        component_of_second<viscous, 2>(stage, viscosity, layers);
     }
 }
 
-void Momentum::run_stage(const RungeKuttaStage& stage, double viscosity) {
+void Momentum::run_stage(const RungeKuttaStage& stage, double viscosity, Layers layers, unsigned seat) {
     const auto nu = static_cast<float>(viscosity);
+    Planes& planes = planes_[seat];
     if (order_ == 4)
-        nu > 0 ? components<true, true>(stage, nu) : components<true, false>(stage, nu);
+        nu > 0 ? components<true, true>(stage, nu, layers, planes)
+               : components<true, false>(stage, nu, layers, planes);
     else
-        nu > 0 ? components<false, true>(stage, nu) : components<false, false>(stage, nu);
+        nu > 0 ? components<false, true>(stage, nu, layers, planes)
+               : components<false, false>(stage, nu, layers, planes);
 }
 
 }  // namespace thaum::fluid

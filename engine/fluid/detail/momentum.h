@@ -19,6 +19,7 @@
 #pragma once
 #include <array>
 
+#include "core/team.h"
 #include "fluid/detail/solids.h"
 
 namespace thaum::fluid {
@@ -43,20 +44,26 @@ class Momentum {
 public:
     /// `solids` may be null and must outlive this object.
     Momentum(const Lattice& lattice, int order, const Solids* solids);
-    /// Computes one stage for all cells that hold fluid; faces that a solid closes get 0. Not written are
-    /// samples on the lattice's walls and ghosts of `sum` and `next`; fill_ghosts does that. `viscosity` is
-    /// in m^2/s.
-    void run_stage(const RungeKuttaStage& stage, double viscosity);
+    /// Computes one stage for the cells of `layers` that hold fluid; faces that a solid closes get 0. Not
+    /// written are samples on the lattice's walls and ghosts of `sum` and `next`; fill_ghosts does that.
+    /// `viscosity` is in m^2/s. Threads with different seats (core/team.h) may compute different layers at
+    /// the same time.
+    void run_stage(const RungeKuttaStage& stage, double viscosity, Layers layers, unsigned seat);
 
 private:
+    /// Advecting velocity (which carries the momentum), interpolated; at order 4 only. One plane holds it
+    /// along x, one along y, and a ring buffer of four holds it along z.
+    using Planes = std::array<Samples, 6>;
+
     template <bool fourth, bool viscous>
-    void components(const RungeKuttaStage& stage, float viscosity);
+    void components(const RungeKuttaStage& stage, float viscosity, Layers layers, Planes& planes);
     template <bool viscous, std::size_t axis>
-    void component_of_fourth(const RungeKuttaStage& stage, float viscosity);
+    void component_of_fourth(const RungeKuttaStage& stage, float viscosity, Layers layers, Planes& planes);
     template <bool viscous, std::size_t axis>
-    void component_of_second(const RungeKuttaStage& stage, float viscosity);
-    void interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k);
-    void interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k);
+    void component_of_second(const RungeKuttaStage& stage, float viscosity, Layers layers);
+    void interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k, Planes& planes);
+    void interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k,
+                              Planes& planes);
 
     /// Rectangle of a layer that contains all its fluid: rows first to end - 1, `count` cells from `start`.
     struct LayerBounds {
@@ -69,10 +76,8 @@ private:
     int order_;
     const Solids* solids_;
     Rows rows_;
-    std::vector<LayerBounds> layer_bounds_;  ///< the rectangle of each layer
-    /// Advecting velocity (which carries the momentum), interpolated; at order 4 only. One plane holds it
-    /// along x, one along y, and a ring buffer of four holds it along z.
-    std::array<Samples, 6> planes_;
+    std::vector<LayerBounds> layer_bounds_;         ///< the rectangle of each layer
+    std::array<Planes, Team::max_threads> planes_;  ///< by the seat of the thread
 };
 
 }  // namespace thaum::fluid

@@ -16,11 +16,13 @@ inline Floats8 difference(const float* u, std::ptrdiff_t s) {
 }
 
 template <bool fourth>
-void divergence_of(const Lattice& lattice, const std::array<Samples, 3>& velocity, float* out) {
+void divergence_of(const Lattice& lattice, Layers layers, const std::array<Samples, 3>& velocity,
+                   float* out) {
     const auto [x, y, z] = lattice.stride;
     const std::ptrdiff_t nx = lattice.cells[0];
     const auto per_h = static_cast<float>(1 / lattice.h);
-    for (int k = 0; k < lattice.cells[2]; ++k) {
+    out += layers.first * lattice.cells[1] * nx;
+    for (int k = layers.first; k < layers.end; ++k) {
         for (int j = 0; j < lattice.cells[1]; ++j) {
             const auto at = lattice.at(0, j, k);
             const float* u = velocity[0].data() + at;
@@ -37,9 +39,10 @@ void divergence_of(const Lattice& lattice, const std::array<Samples, 3>& velocit
 }
 
 template <bool fourth>
-void subtract_gradient_of(const Rows& rows, const Samples& potential, std::array<Samples, 3>& velocity) {
+void subtract_gradient_of(const Rows& rows, Layers layers, const Samples& potential,
+                          std::array<Samples, 3>& velocity) {
     const auto per_h = static_cast<float>(1 / rows.lattice.h);
-    each_row(rows, [&](Row row) {
+    each_row(rows, layers, [&](Row row) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto s = rows.lattice.stride[axis];
             const float* before = potential.data() + row.at - s;
@@ -53,20 +56,20 @@ void subtract_gradient_of(const Rows& rows, const Samples& potential, std::array
 
 }  // namespace
 
-void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>& velocity,
+void divergence(const Lattice& lattice, Layers layers, int order, const std::array<Samples, 3>& velocity,
                 std::span<float> out) {
     if (order == 4)
-        divergence_of<true>(lattice, velocity, out.data());
+        divergence_of<true>(lattice, layers, velocity, out.data());
     else
-        divergence_of<false>(lattice, velocity, out.data());
+        divergence_of<false>(lattice, layers, velocity, out.data());
 }
 
-void subtract_gradient(const Rows& rows, int order, const Samples& potential,
+void subtract_gradient(const Rows& rows, Layers layers, int order, const Samples& potential,
                        std::array<Samples, 3>& velocity) {
     if (order == 4)
-        subtract_gradient_of<true>(rows, potential, velocity);
+        subtract_gradient_of<true>(rows, layers, potential, velocity);
     else
-        subtract_gradient_of<false>(rows, potential, velocity);
+        subtract_gradient_of<false>(rows, layers, potential, velocity);
 }
 
 }  // namespace thaum::fluid

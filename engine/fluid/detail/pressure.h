@@ -13,14 +13,15 @@
 
 namespace thaum::fluid {
 
-/// Divergence (1/s) of a velocity with filled ghost cells. `out` has one value for each cell, x contiguous,
-/// without ghost cells.
-void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>& velocity,
+/// Divergence (1/s) of a velocity with filled ghost cells, in some layers. `out` has one value for each cell
+/// of the lattice, x contiguous, without ghost cells.
+void divergence(const Lattice& lattice, Layers layers, int order, const std::array<Samples, 3>& velocity,
                 std::span<float> out);
 
-/// Subtracts the gradient of `potential` from the velocity in `rows`. The ghosts of `potential` must be
-/// filled as mirror images (GhostRule::even). The ghosts of the velocity are not changed.
-void subtract_gradient(const Rows& rows, int order, const Samples& potential,
+/// Subtracts the gradient of `potential` from the velocity in some layers of `rows`. The ghosts of
+/// `potential` must be filled as mirror images (GhostRule::even). The ghosts of the velocity are not
+/// changed.
+void subtract_gradient(const Rows& rows, Layers layers, int order, const Samples& potential,
                        std::array<Samples, 3>& velocity);
 
 }  // namespace thaum::fluid

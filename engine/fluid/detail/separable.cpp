@@ -294,13 +294,14 @@ void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlo
     for (int i = 0; i < waves.count; ++i) store_row<whole>(block, i, given + 2 * i);
 }
 
-/// Transforms each column of values[count][width] to waves, multiplies each wave by its factor in `by`, and
-/// transforms back.
-void divide(const Waves& waves, const SpectralDivision& by, float* values, std::ptrdiff_t width) {
-    std::ptrdiff_t c = 0;
-    for (; c + wide <= width; c += wide) divide_columns<true>(waves, by, {values + c, width, wide}, c);
-    if (c < width)
-        divide_columns<false>(waves, by, {values + c, width, static_cast<std::size_t>(width - c)}, c);
+/// Transforms columns `c` to `end` - 1 of values[count][width] to waves, multiplies each wave by its factor
+/// in `by`, and transforms back. `c` is a multiple of `wide`.
+void divide_range(const Waves& waves, const SpectralDivision& by, const Columns& values, std::ptrdiff_t c,
+                  std::ptrdiff_t end) {
+    const std::ptrdiff_t width = values.pitch;
+    for (; c + wide <= end; c += wide) divide_columns<true>(waves, by, {values.first + c, width, wide}, c);
+    if (c < end)
+        divide_columns<false>(waves, by, {values.first + c, width, static_cast<std::size_t>(end - c)}, c);
 }
 
 DenseTransform forth(const Waves& waves) { return {waves, waves.forth}; }
@@ -352,8 +353,9 @@ double laplace_symbol(double angle, int order) {
 }
 
 PressureSolver::PressureSolver(const Lattice& lattice, int order)
-    : scale_(static_cast<float>(-lattice.h * lattice.h)),
-      scratch_(static_cast<std::size_t>(lattice.cells[0] * whole_blocks(lattice.cells[1]))) {
+    : scale_(static_cast<float>(-lattice.h * lattice.h)) {
+    for (auto& scratch : scratch_)
+        scratch.resize(static_cast<std::size_t>(lattice.cells[0] * whole_blocks(lattice.cells[1])));
     std::array<std::vector<float>, 3> symbols;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         waves_[axis] = make_waves(lattice.cells[axis], lattice.edges[axis], GhostRule::even);
@@ -369,22 +371,33 @@ PressureSolver::PressureSolver(const Lattice& lattice, int order)
     along_z_ = symbols[2];
 }
 
-void PressureSolver::solve(std::span<float> field) {
+void PressureSolver::to_waves(std::span<float> field, Layers layers, unsigned seat) {
     const std::ptrdiff_t nx = waves_[0].count;
     const std::ptrdiff_t ny = waves_[1].count;
-    const std::ptrdiff_t nz = waves_[2].count;
-    const std::ptrdiff_t plane = nx * ny, pitch = whole_blocks(ny);
-    float* values = field.data();
-    const Columns turned{scratch_.data(), pitch};
-    for (std::ptrdiff_t k = 0; k < nz; ++k) {
-        float* here = values + k * plane;
+    const std::ptrdiff_t pitch = whole_blocks(ny);
+    const Columns turned{scratch_[seat].data(), pitch};
+    for (int k = layers.first; k < layers.end; ++k) {
+        float* here = field.data() + k * plane();
         change<TransformDirection::to_waves>(forth(waves_[1]), {here, nx}, {here, nx}, nx);
         transpose({here, nx}, {turned.first, pitch}, ny, nx);
         change<TransformDirection::to_waves>(forth(waves_[0]), turned, {here, ny}, ny);
     }
-    divide(waves_[2], {scale_, along_z_.data(), by_x_.data(), by_y_.data()}, values, plane);
-    for (std::ptrdiff_t k = 0; k < nz; ++k) {
-        float* here = values + k * plane;
+}
+
+int PressureSolver::blocks() const { return static_cast<int>(whole_blocks(plane()) / wide); }
+
+void PressureSolver::divide(std::span<float> field, int first, int end) const {
+    divide_range(waves_[2], {scale_, along_z_.data(), by_x_.data(), by_y_.data()}, {field.data(), plane()},
+                 first * wide, std::min(end * wide, plane()));
+}
+
+void PressureSolver::from_waves(std::span<float> field, Layers layers, unsigned seat) {
+    const std::ptrdiff_t nx = waves_[0].count;
+    const std::ptrdiff_t ny = waves_[1].count;
+    const std::ptrdiff_t pitch = whole_blocks(ny);
+    const Columns turned{scratch_[seat].data(), pitch};
+    for (int k = layers.first; k < layers.end; ++k) {
+        float* here = field.data() + k * plane();
         change<TransformDirection::from_waves>(back(waves_[0]), {here, ny}, turned, ny);
         transpose({turned.first, pitch}, {here, nx}, nx, ny);
         change<TransformDirection::from_waves>(back(waves_[1]), {here, nx}, {here, nx}, nx);

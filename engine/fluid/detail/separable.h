@@ -15,6 +15,7 @@
 #include <array>
 #include <span>
 
+#include "core/team.h"
 #include "fluid/ghosts.h"
 
 namespace thaum::fluid {
@@ -54,17 +55,29 @@ double laplace_symbol(double angle, int order);
 
 /// Solves the Poisson equation of pressure: on input a field is the Laplacian that is wanted, on output the
 /// potential that has it. The field has no ghost cells, x contiguous. The mean of the result is zero.
+///
+/// A solve has three parts, in this order. Threads with different seats (core/team.h) may do different
+/// layers or blocks of the same part at the same time.
 class PressureSolver {
 public:
     PressureSolver(const Lattice& lattice, int order);
-    void solve(std::span<float> field);
+    /// Transforms the given layers to waves along x and y.
+    void to_waves(std::span<float> field, Layers layers, unsigned seat);
+    /// Number of blocks into which the columns along z are divided.
+    int blocks() const;
+    /// Solves the equation in the columns of blocks `first` to `end` - 1: to waves along z, and back.
+    void divide(std::span<float> field, int first, int end) const;
+    /// Transforms the given layers from waves along x and y back to values.
+    void from_waves(std::span<float> field, Layers layers, unsigned seat);
 
 private:
+    std::ptrdiff_t plane() const { return std::ptrdiff_t{waves_[0].count} * waves_[1].count; }
+
     std::array<Waves, 3> waves_;
     std::vector<float> along_z_;      ///< symbols (minus eigenvalue times h^2) of the waves along z
     std::vector<float> by_x_, by_y_;  ///< symbols of the waves along x and y, in the order of a plane: [x][y]
     float scale_;
-    std::vector<float> scratch_;
+    std::array<std::vector<float>, Team::max_threads> scratch_;  ///< a layer, by the seat of the thread
 };
 
 /// Solves du/dt = nu lap u over a time exactly: each wave decays at its own rate. The viscosity nu must

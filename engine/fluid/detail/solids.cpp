@@ -1,6 +1,7 @@
 #include "fluid/detail/solids.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fluid/detail/independent_iterations.h"
 #include "fluid/detail/part_of_row.h"
@@ -29,10 +30,13 @@ double total(const Floats8& values) {
     return sum;
 }
 
-/// Adds a multiple of an array to another one: to += part * from.
-void add(const Rows& rows, Samples& to, double part, const Samples& from) {
+/// The larger number; NaN if one of them is NaN.
+double larger_or_nan(double a, double b) { return b > a || std::isnan(b) ? b : a; }
+
+/// Adds a multiple of an array to another one in some layers: to += part * from.
+void add(const Rows& rows, Layers layers, Samples& to, double part, const Samples& from) {
     const auto factor = static_cast<float>(part);
-    each_row(rows, [&](Row row) {
+    each_row(rows, layers, [&](Row row) {
         float* x = to.data() + row.at;
         const float* y = from.data() + row.at;
         for (std::ptrdiff_t i = 0; i < row.count; i += 8)
@@ -77,6 +81,7 @@ Solids::Solids(const Lattice& lattice, const SolidShare& solid, double min_share
         return static_cast<float>(own_part * h2 * std::max(more, 0.0));
     });
     rows_ = rows_above_zero(lattice, diagonal_);
+    row_sums_.resize(rows_.rows.size());
 }
 
 void Solids::clear_closed_faces(std::array<Samples, 3>& velocity) const {
@@ -93,14 +98,30 @@ void Solids::clear_closed_faces(std::array<Samples, 3>& velocity) const {
 
 /// Sets residual_ to minus the divergence of the velocity. Returns the largest divergence and the largest
 /// velocity component.
-Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
+Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity, Team& team) {
+    const Split split(team, lattice_.cells[2]);
+    std::array<Maxima, max_cells> found{};
+    team.each(split.slices, [&](int slice, unsigned) {
+        const Layers layers = split[slice];
+        found[static_cast<std::size_t>(slice)] = divergence_in(velocity, layers);
+    });
+    Maxima most{};
+    for (int slice = 0; slice < split.slices; ++slice) {
+        const Maxima& other = found[static_cast<std::size_t>(slice)];
+        most.divergence = larger_or_nan(most.divergence, other.divergence);
+        most.velocity = larger_or_nan(most.velocity, other.velocity);
+    }
+    return most;
+}
+
+Solids::Maxima Solids::divergence_in(const std::array<Samples, 3>& velocity, Layers layers) {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h = static_cast<float>(1 / lattice_.h);
     const float *u = velocity[0].data(), *v = velocity[1].data(), *w = velocity[2].data();
     const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
     float* out = residual_.data();
     Magnitudes8 largest{}, fastest{};
-    each_row(rows_, [&, x = x, y = y, z = z](Row row) {
+    each_row(rows_, layers, [&, x = x, y = y, z = z](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
             // Velocities past the end of a row whose length is no multiple of eight do not count: the sum of
             // open shares, diagonal_, is 0 there.
@@ -121,17 +142,33 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     return {max_of(largest), max_of(fastest)};
 }
 
+Solids::Products Solids::sum_of_rows() const {
+    Products sum;
+    for (std::size_t r = 0; r < row_sums_.size(); ++r) {
+        if (rows_.rows[r].count == 0) continue;
+        sum.residual += row_sums_[r].residual;
+        sum.image += row_sums_[r].image;
+    }
+    return sum;
+}
+
 /// Applies the operator of the pressure equation to the search direction: sets image_ to minus the
 /// divergence, through open faces, of the direction's gradient. Ghosts at periodic sides must be filled.
 /// Returns the scalar product of direction and image.
-double Solids::apply_to_direction() {
+double Solids::apply_to_direction(Team& team) {
+    each_slice(team, Split(team, lattice_.cells[2]), [&](Layers layers, unsigned) { apply_in(layers); });
+    return sum_of_rows().image;
+}
+
+void Solids::apply_in(Layers layers) {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h2 = static_cast<float>(1 / (lattice_.h * lattice_.h));
     const float* p = direction_.data();
     const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
     const float* d = diagonal_.data();
-    double sum = 0;
-    each_row(rows_, [&, x = x, y = y, z = z](Row row) {
+    const int ny = lattice_.cells[1];
+    for (int r = layers.first * ny; r < layers.end * ny; ++r) {
+        const Row row = rows_.rows[static_cast<std::size_t>(r)];
         Floats8 products{};
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
             const Floats8 own = load(p + i);
@@ -144,93 +181,112 @@ double Solids::apply_to_direction() {
             store(image_.data() + i, kept);
             products += own * kept;
         }
-        sum += total(products);
-    });
-    return sum;
+        row_sums_[static_cast<std::size_t>(r)] = {0, total(products)};
+    }
 }
 
 /// Sets smoothed_ to the preconditioned residual. Returns its scalar products with the residual and with
 /// image_, the operator times the search direction.
-Solids::Products Solids::precondition() {
+Solids::Products Solids::precondition(Team& team) {
     const std::ptrdiff_t nx = lattice_.cells[0];
-    float* packed = packed_.data();
-    each_row(lattice_, [&](std::ptrdiff_t at) {
-        // Values written past the end of a row are overwritten by the next row.
-        copy_by_8(residual_.data() + at, packed, nx);
-        packed += nx;
+    const Split split(team, lattice_.cells[2]);
+    each_single(team, split, [&](Layers layers, unsigned seat) {
+        float* packed = packed_.data() + layers.first * lattice_.cells[1] * nx;
+        each_row(lattice_, layers, [&](std::ptrdiff_t at) {
+            for (std::ptrdiff_t i = 0; i < nx; i += 8)
+                store_within_row(packed + i, load(residual_.data() + at + i), nx - i);
+            packed += nx;
+        });
+        box_.to_waves(packed_, layers, seat);
     });
-    box_.solve(packed_);
-    Products sum;
-    for (int k = 0; k < lattice_.cells[2]; ++k) {
-        for (int j = 0; j < lattice_.cells[1]; ++j) {
-            const Row row = rows_.at(j, k);
-            const float* found =
-                packed_.data() + (k * lattice_.cells[1] + j) * nx + (row.at - lattice_.at(0, j, k));
-            Floats8 by_residual{}, by_image{};
-            for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
-                // The direct solve of the box is for +lap, but the operator here is -lap, so its result is
-                // subtracted.
-                const Floats8 d = load(diagonal_.data() + row.at + i);
-                const Floats8 residual = load(residual_.data() + row.at + i);
-                const Floats8 both = load(own_.data() + row.at + i) * residual - load(found + i);
-                const Floats8 smoothed = d > zero8 ? both : zero8;
-                store(smoothed_.data() + row.at + i, smoothed);
-                by_residual += d > zero8 ? smoothed * residual : zero8;
-                by_image += smoothed * load(image_.data() + row.at + i);
-            }
-            sum.residual += total(by_residual);
-            sum.image += total(by_image);
+    each_slice(team, Split(team, box_.blocks()),
+               [&](Layers blocks, unsigned) { box_.divide(packed_, blocks.first, blocks.end); });
+    each_single(team, split, [&](Layers layers, unsigned seat) {
+        box_.from_waves(packed_, layers, seat);
+        smooth_in(layers);
+    });
+    return sum_of_rows();
+}
+
+/// Sets smoothed_ from the solution of the box in packed_, and the sums of the rows to its scalar products.
+void Solids::smooth_in(Layers layers) {
+    const std::ptrdiff_t nx = lattice_.cells[0];
+    const int ny = lattice_.cells[1];
+    for (int r = layers.first * ny; r < layers.end * ny; ++r) {
+        const Row row = rows_.rows[static_cast<std::size_t>(r)];
+        const float* found = packed_.data() + r * nx + (row.at - lattice_.at(0, r % ny, r / ny));
+        Floats8 by_residual{}, by_image{};
+        for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
+            // The direct solve of the box is for +lap, but the operator here is -lap, so its result is
+            // subtracted.
+            const Floats8 d = load(diagonal_.data() + row.at + i);
+            const Floats8 residual = load(residual_.data() + row.at + i);
+            const Floats8 both = load(own_.data() + row.at + i) * residual - load(found + i);
+            const Floats8 smoothed = d > zero8 ? both : zero8;
+            store(smoothed_.data() + row.at + i, smoothed);
+            by_residual += d > zero8 ? smoothed * residual : zero8;
+            by_image += smoothed * load(image_.data() + row.at + i);
         }
+        row_sums_[static_cast<std::size_t>(r)] = {total(by_residual), total(by_image)};
     }
-    return sum;
 }
 
 /// Moves the solution along direction_, as far as reduces the energy of the corrected flow most. Ghosts of
 /// the direction at periodic sides must be filled. `slope` is the scalar product of residual and direction.
 /// Returns the largest remaining residual, or nothing if no step reduces the energy.
-std::optional<double> Solids::step_along_direction(double slope) {
-    curvature_ = apply_to_direction();
+std::optional<double> Solids::step_along_direction(double slope, Team& team) {
+    curvature_ = apply_to_direction(team);
     if (!(curvature_ > 0)) {
         curvature_ = 0;
         return std::nullopt;
     }
     const auto step = static_cast<float>(slope / curvature_);
+    const Split split(team, lattice_.cells[2]);
+    std::array<double, max_cells> most{};
+    team.each(split.slices, [&](int slice, unsigned) {
+        most[static_cast<std::size_t>(slice)] = take_step_in(step, split[slice]);
+    });
+    return *std::max_element(most.begin(), most.begin() + split.slices);
+}
+
+/// Adds a step along the direction to the solution in some layers. Returns the largest remaining residual, in
+/// which a NaN does not count.
+double Solids::take_step_in(float step, Layers layers) {
     Floats8 most{};
-    each_row(rows_, [&](Row row) {
+    each_row(rows_, layers, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
             store(correction_.data() + i, load(correction_.data() + i) + step * load(direction_.data() + i));
             const Floats8 left = load(residual_.data() + i) - step * load(image_.data() + i);
             store(residual_.data() + i, left);
-            const Floats8 size = left < zero8 ? -left : left;
-            // A NaN fails the comparison and replaces `most`; the next value of its lane replaces the NaN.
-            most = size <= most ? most : size;
+            most = larger(left < zero8 ? -left : left, most);
         }
     });
     double result = 0;
-    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) {
-        const auto size = static_cast<double>(most[lane]);
-        result = size <= result ? result : size;
-    }
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
+        result = std::max(result, static_cast<double>(most[lane]));
     return result;
 }
 
 /// Adds to correction_ the potential whose gradient has minus the residual as divergence. Stops when
 /// the residual, initially at most `left`, is at most `tolerance` in each cell. Returns the number of
 /// iterations.
-int Solids::solve(double left, double tolerance, int max_iterations) {
+int Solids::solve(double left, double tolerance, int max_iterations, Team& team) {
     int iterations = 0;
     while (iterations < max_iterations && left > tolerance) {
-        const Products products = precondition();
+        const Products products = precondition(team);
         if (!(products.residual > 0)) break;
         // The new direction is conjugate to the previous one, even if that was the potential of the last
         // projection (first guess) or belongs to the previous round.
         const auto turn = static_cast<float>(curvature_ > 0 ? -products.image / curvature_ : 0);
-        each_row(rows_, [&](Row row) {
-            for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-                store(direction_.data() + i, load(smoothed_.data() + i) + turn * load(direction_.data() + i));
+        each_slice(team, Split(team, lattice_.cells[2]), [&](Layers layers, unsigned) {
+            each_row(rows_, layers, [&](Row row) {
+                for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
+                    store(direction_.data() + i,
+                          load(smoothed_.data() + i) + turn * load(direction_.data() + i));
+            });
         });
         fill_round(rows_, direction_);
-        const auto found = step_along_direction(products.residual);
+        const auto found = step_along_direction(products.residual, team);
         if (!found) break;
         left = *found;
         ++iterations;
@@ -239,14 +295,14 @@ int Solids::solve(double left, double tolerance, int max_iterations) {
     return iterations;
 }
 
-void Solids::subtract_correction(std::array<Samples, 3>& velocity) const {
+void Solids::subtract_correction_in(Layers layers, std::array<Samples, 3>& velocity) const {
     const auto per_h = static_cast<float>(1 / lattice_.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto s = lattice_.stride[axis];
         const float* open = open_[axis].data();
         const float* p = correction_.data();
         float* u = velocity[axis].data();
-        each_row(rows_, [&](Row row) {
+        each_row(rows_, layers, [&](Row row) {
             for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
                 const Floats8 left = load(u + i) - per_h * (load(p + i) - load(p + i - s));
                 store(u + i, load(open + i) > zero8 ? left : zero8);
@@ -255,28 +311,45 @@ void Solids::subtract_correction(std::array<Samples, 3>& velocity) const {
     }
 }
 
+/// Subtracts the gradient of the correction that a round has found from the velocity, and adds the
+/// correction to the potential.
+void Solids::end_round(std::array<Samples, 3>& velocity, Samples& potential, Team& team) const {
+    each_slice(team, Split(team, lattice_.cells[2]), [&](Layers layers, unsigned) {
+        subtract_correction_in(layers, velocity);
+        add(rows_, layers, potential, 1, correction_);
+    });
+}
+
+/// Begins a round of the projection: fills the ghosts of the velocity that its divergence reads, and sets the
+/// correction to 0.
+void Solids::begin_round(std::array<Samples, 3>& velocity, Team& team) {
+    each_slice(team, Split(team, lattice_.cells[2]), [&](Layers layers, unsigned) {
+        clear(rows_, layers, correction_);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            fill_ghosts_across(rows_, layers, axis, GhostRule::through_wall, velocity[axis]);
+    });
+}
+
 Solids::ProjectionResult Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double share,
-                                         int max_iterations) {
+                                         int max_iterations, Team& team) {
     ProjectionResult found;
     std::swap(direction_, potential);
-    clear(rows_, potential);
     curvature_ = 0;
     for (int round = 0;; ++round) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts_across(rows_, axis, GhostRule::through_wall, velocity[axis]);
-        const Maxima is = divergence(velocity);
+        begin_round(velocity, team);
+        if (round == 0) clear(rows_, potential);
+        const Maxima is = divergence(velocity, team);
         found.divergence = is.divergence;
         const double tolerance = share * is.velocity / lattice_.h;
         if (!(found.divergence > tolerance) || round == max_rounds) break;
-        clear(rows_, correction_);
         double left = found.divergence;
-        if (round == 0) left = step_along_direction(dot(rows_, residual_, direction_)).value_or(left);
+        if (round == 0) left = step_along_direction(dot(rows_, residual_, direction_), team).value_or(left);
         found.iterations += solve(left, std::max(tolerance, found.divergence * gain_of_round),
-                                  max_iterations - found.iterations);
-        subtract_correction(velocity);
-        add(rows_, potential, 1, correction_);
+                                  max_iterations - found.iterations, team);
+        end_round(velocity, potential, team);
     }
-    fill_ghosts(rows_, all_even, potential);
+    each_slice(team, Split(team, lattice_.cells[2]),
+               [&](Layers layers, unsigned) { fill_ghosts(rows_, layers, all_even, potential); });
     return found;
 }
 

@@ -13,6 +13,7 @@
 
 #include "fluid/detail/cuts.h"
 #include "fluid/detail/separable.h"
+#include "fluid/detail/split.h"
 #include "fluid/rows.h"
 
 namespace thaum::fluid {
@@ -64,21 +65,28 @@ public:
     /// direction. The step along it is as long as reduces the energy of the flow most (Fischer 1998, with one
     /// direction), so a bad guess does no harm.
     ProjectionResult project(std::array<Samples, 3>& velocity, Samples& potential, double share,
-                             int max_iterations);
+                             int max_iterations, Team& team);
 
 private:
     struct Maxima {
         double divergence, velocity;  ///< largest divergence (1/s); largest velocity component (m/s)
     };
-    Maxima divergence(const std::array<Samples, 3>& velocity);
-    double apply_to_direction();
+    Maxima divergence(const std::array<Samples, 3>& velocity, Team& team);
+    Maxima divergence_in(const std::array<Samples, 3>& velocity, Layers layers);
+    double apply_to_direction(Team& team);
+    void apply_in(Layers layers);
     struct Products {
         double residual{}, image{};
     };
-    Products precondition();
-    std::optional<double> step_along_direction(double slope);
-    int solve(double left, double tolerance, int max_iterations);
-    void subtract_correction(std::array<Samples, 3>& velocity) const;
+    Products precondition(Team& team);
+    void smooth_in(Layers layers);
+    std::optional<double> step_along_direction(double slope, Team& team);
+    double take_step_in(float step, Layers layers);
+    int solve(double left, double tolerance, int max_iterations, Team& team);
+    void subtract_correction_in(Layers layers, std::array<Samples, 3>& velocity) const;
+    void begin_round(std::array<Samples, 3>& velocity, Team& team);
+    void end_round(std::array<Samples, 3>& velocity, Samples& potential, Team& team) const;
+    Products sum_of_rows() const;
 
     Lattice lattice_;
     std::array<Samples, 3> open_;
@@ -94,6 +102,8 @@ private:
     Samples residual_, smoothed_, direction_, image_, correction_;
     double curvature_{};  ///< product of direction_ and image_; 0: no direction yet
     std::vector<float> packed_;
+    /// Sums over the cells of each row. They are added in the order of the rows, whichever thread found them.
+    std::vector<Products> row_sums_;
 };
 
 }  // namespace thaum::fluid

@@ -100,9 +100,18 @@ void StaggeredSolver::fill(const Settings& settings, Velocity& velocity) const {
     fill_sides(settings, velocity);
 }
 
-void StaggeredSolver::fill_sides(const Settings& settings, Velocity& velocity, int depth) const {
+void StaggeredSolver::fill_sides_of(Layers layers, Velocity& velocity, int depth) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        fill_ghosts(rows_, ghost_rules_of_velocity(lattice_, axis), velocity[axis], depth);
+        fill_ghosts(rows_, layers, ghost_rules_of_velocity(lattice_, axis), velocity[axis], depth);
+}
+
+void StaggeredSolver::fill_sides(const Settings& settings, Velocity& velocity, int depth) const {
+    each_slice(*team_, layers(), [&](Layers slice, unsigned) { fill_sides_of(slice, velocity, depth); });
+    fill_lid(settings, velocity);
+}
+
+/// Adds the speed of the lid, a moving wall, to the ghost cells beyond it.
+void StaggeredSolver::fill_lid(const Settings& settings, Velocity& velocity) const {
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
     // Beyond the lid (the moving wall) the velocity is odd relative to the lid's, so twice the lid's speed is
     // added in the ghost cells.
@@ -151,34 +160,40 @@ double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity
 void StaggeredSolver::gather_forces(const Settings& settings, const State& state, double share) {
     has_force_ = state.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        clear(rows_, force_[axis]);
-        if (!state.pushed) continue;
-        const float* push = state.push[axis].data();
-        each_row(pushed_rows_[axis], [&](Row row) {
-            for (std::ptrdiff_t i = 0; i < row.count; i += 8)
-                store_within_row(force_[axis].data() + row.at + i, factor * load(push + row.at + i),
-                                 row.count - i);
-        });
-    }
+    each_slice(*team_, layers(), [&](Layers slice, unsigned) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            clear(rows_, slice, force_[axis]);
+            if (!state.pushed) continue;
+            const float* push = state.push[axis].data();
+            each_row(pushed_rows_[axis], slice, [&](Row row) {
+                for (std::ptrdiff_t i = 0; i < row.count; i += 8)
+                    store_within_row(force_[axis].data() + row.at + i, factor * load(push + row.at + i),
+                                     row.count - i);
+            });
+        }
+    });
     add_buoyancy(settings, state);
-    if (solids_) subtract_gradient(rows_, 2, state.pressure, force_);
+    if (!solids_) return;
+    each_slice(*team_, layers(),
+               [&](Layers slice, unsigned) { subtract_gradient(rows_, slice, 2, state.pressure, force_); });
 }
 
 /// Sets mixed_property_ to a property of the mixture, such as its viscosity: `base` plus, for each substance,
 /// density times the member `part` of Substance. Fills the rows with fluid and their ghosts.
 void StaggeredSolver::mix_property(const Settings& settings, const State& state, double base,
                                    double Substance::*part) {
-    each_row(rows_, [&](Row row) {
-        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            Floats8 sum = zero8 + static_cast<float>(base);
-            for (std::size_t s = 0; s < state.substances.size(); ++s)
-                sum +=
-                    static_cast<float>(settings.substances[s].*part) * load(state.substances[s].data() + i);
-            store(mixed_property_.data() + i, sum);
-        }
+    each_slice(*team_, layers(), [&](Layers slice, unsigned) {
+        each_row(rows_, slice, [&](Row row) {
+            for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
+                Floats8 sum = zero8 + static_cast<float>(base);
+                for (std::size_t s = 0; s < state.substances.size(); ++s)
+                    sum += static_cast<float>(settings.substances[s].*part) *
+                           load(state.substances[s].data() + i);
+                store(mixed_property_.data() + i, sum);
+            }
+        });
+        fill_ghosts(rows_, slice, all_even, mixed_property_);
     });
-    fill_ghosts(rows_, all_even, mixed_property_);
 }
 
 /// Adds the weight of the substances to the forces. The mean of every level (cells at one height) is left
@@ -194,41 +209,38 @@ void StaggeredSolver::add_buoyancy(const Settings& settings, const State& state)
 /// left the weight at the start in mixed_property_.
 void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& state, double dt) {
     if (!has_weight(settings)) return;
-    predict_weight(rows_, state.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_property_,
-                   potential_);
-    each_row(rows_, [&](Row row) {
-        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-            store(mixed_property_.data() + i, load(potential_.data() + i) - load(mixed_property_.data() + i));
+    each_slice(*team_, layers(), [&](Layers slice, unsigned) {
+        predict_weight(rows_, slice, state.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt,
+                       mixed_property_, potential_);
     });
-    fill_ghosts(rows_, all_even, mixed_property_);
+    each_slice(*team_, layers(), [&](Layers slice, unsigned) {
+        each_row(rows_, slice, [&](Row row) {
+            for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
+                store(mixed_property_.data() + i,
+                      load(potential_.data() + i) - load(mixed_property_.data() + i));
+        });
+        fill_ghosts(rows_, slice, all_even, mixed_property_);
+    });
     add_gravity(settings);
 }
 
 /// Adds the force of gravity on the weight of the substances, which mixed_property_ holds, to the forces.
 void StaggeredSolver::add_gravity(const Settings& settings) {
-    add_weight(rows_, order_, solids_ ? &solids_->open() : nullptr, settings.gravity, mixed_property_,
-               force_);
+    add_weight(rows_, order_, solids_ ? &solids_->open() : nullptr, settings.gravity, mixed_property_, force_,
+               *team_);
 }
 
 /// Ends a Runge-Kutta stage: removes the velocity's divergence if there are no solids, and fills the ghost
 /// cells.
 void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
     if (!solids_) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts_across(rows_, axis, GhostRule::through_wall, velocity[axis]);
-        divergence(lattice_, order_, velocity, packed_);
-        pressure_.solve(packed_);
-        const float* packed = packed_.data();
-        each_row(lattice_, [&](std::ptrdiff_t at) {
-            std::copy_n(packed, lattice_.cells[0], potential_.data() + at);
-            packed += lattice_.cells[0];
-        });
-        fill_ghosts(rows_, all_even, potential_);
-        subtract_gradient(rows_, order_, potential_, velocity);
+        project(velocity);
+        fill_lid(settings, velocity);
+        return;
     }
     if (continuation_) continuation_->apply(velocity);
     // With solids the order is 2, and a stage reads only one layer of ghosts.
-    fill_sides(settings, velocity, solids_ ? 1 : ghosts);
+    fill_sides(settings, velocity, 1);
 }
 
 /// Velocity at the start of a step as advection reads it. Where the fluid slips along solids, this is a copy
@@ -247,12 +259,17 @@ const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settin
 void StaggeredSolver::end_step(const Settings& settings, State& state, double dt, StepReport& report) {
     if (solids_) {
         const auto found =
-            solids_->project(sum_, state.projected, max_divergence_with_solids, max_iterations);
+            solids_->project(sum_, state.projected, max_divergence_with_solids, max_iterations, *team_);
         report.pressure_iterations += found.iterations;
         report.divergence = found.divergence;
         const auto per_dt = static_cast<float>(1 / dt);
-        for (std::size_t i = 0; i < state.pressure.size(); ++i)
-            state.pressure[i] += per_dt * state.projected[i];
+        const int stride = static_cast<int>(lattice_.stride[2]);
+        each_slice(*team_, Split(*team_, lattice_.cells[2] + 2 * ghosts), [&](Layers slice, unsigned) {
+            // Ghost cells included, which every layer of the array has.
+            for (int i = slice.first * stride; i < slice.end * stride; ++i)
+                state.pressure[static_cast<std::size_t>(i)] +=
+                    per_dt * state.projected[static_cast<std::size_t>(i)];
+        });
         fill_sides(settings, sum_);
     } else {
         end_stage(settings, sum_);
@@ -263,14 +280,17 @@ void StaggeredSolver::end_step(const Settings& settings, State& state, double dt
 
 /// Finds the rows of fluid in which a push (velocity that is to be added) is not 0.
 void StaggeredSolver::find_pushed_rows(const State& state) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float* push = state.push[axis].data();
-        for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
-            const Row row = rows_.rows[r];
-            const bool pushed = state.pushed && row.count > 0 && any_in(row, push);
-            pushed_rows_[axis].rows[r] = {row.at, pushed ? row.count : 0};
+    each_slice(*team_, Split(*team_, static_cast<int>(rows_.rows.size())), [&](Layers slice, unsigned) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float* push = state.push[axis].data();
+            for (auto r = static_cast<std::size_t>(slice.first); r < static_cast<std::size_t>(slice.end);
+                 ++r) {
+                const Row row = rows_.rows[r];
+                const bool pushed = state.pushed && row.count > 0 && any_in(row, push);
+                pushed_rows_[axis].rows[r] = {row.at, pushed ? row.count : 0};
+            }
         }
-    }
+    });
 }
 
 /// Sets the pushes (velocities to be added) to 0 after a step. They lie only in the rows found by
@@ -305,7 +325,7 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& state, doubl
                                    StepReport& report) {
     current_norms_.reset();
     if (settings.lid != 0 || (!solids_ && !has_weight(settings))) return;
-    const VelocityNorms found = velocity_norms(rows_, state.velocity, energy_shares());
+    const VelocityNorms found = velocity_norms(rows_, state.velocity, energy_shares(), *team_);
     const double is = found.half_square;
     const double most =
         std::max(0.0, start_norms_.half_square + sunk + 0.5 * share * work_of_pushes(state, sum_));
@@ -326,7 +346,10 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& state, doubl
 }
 
 void StaggeredSolver::run_stage(const RungeKuttaStage& stage, double viscosity) {
-    momentum_.run_stage(stage, viscosity);
+    // At order 4 a slice begins with three layers of interpolation that the slice before it needs, too.
+    const Split split(*team_, lattice_.cells[2], order_ == 4 ? 4 : 12);
+    each_slice(*team_, split,
+               [&](Layers slice, unsigned seat) { momentum_.run_stage(stage, viscosity, slice, seat); });
     if (continuation_) continuation_->correct(stage);
 }
 
@@ -376,7 +399,7 @@ void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& st
                         .lid = settings.lid,
                         .dt = dt,
                         .passes = ratio > max_one_pass ? 2 : 1},
-                       sum_);
+                       sum_, *team_);
 }
 
 /// Transports the substances. Returns the potential energy that they released by sinking, without the
@@ -386,7 +409,8 @@ double StaggeredSolver::transport_substances(const Velocity& before, const Veloc
                                              int max_substeps) {
     if (state.substances.empty()) return 0;
     const auto* open = solids_ ? &solids_->open() : nullptr;
-    set_face_flow(lattice_, before, after, solids_ ? &face_apertures_ : nullptr, dt, face_flow_, order_);
+    set_face_flow(lattice_, before, after, solids_ ? &face_apertures_ : nullptr, dt, face_flow_, *team_,
+                  order_);
     double sunk = 0;
     for (std::size_t s = 0; s < state.substances.size(); ++s) {
         const Substance& substance = settings.substances[s];
@@ -396,7 +420,7 @@ double StaggeredSolver::transport_substances(const Velocity& before, const Veloc
         const TransportReport did =
             transport(lattice_, face_flow_,
                       {.diffusion = substance.diffusion, .max_substeps = max_substeps, .moved_along = pull},
-                      density, transport_);
+                      density, transport_, *team_);
         sunk += lattice_.h * glm::dot(pull, did.moved) + dt * did.spread * substance.diffusion * lifted;
     }
     return sunk;
@@ -420,7 +444,7 @@ void StaggeredSolver::semi_lagrangian(const Settings& settings, State& state, do
     const double before = start_norms_.half_square;
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, state.velocity, axis, dt, sum_[axis]);
     if (solids_) solids_->clear_closed_faces(sum_);
-    const double after = velocity_norms(rows_, sum_, energy_shares()).half_square;
+    const double after = velocity_norms(rows_, sum_, energy_shares(), *team_).half_square;
     const auto factor = static_cast<float>(after > before ? std::sqrt(before / after) : 1);
     const auto step = static_cast<float>(dt);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -465,10 +489,7 @@ void StaggeredSolver::come_to_rest(const Settings& settings, State& state, doubl
 void StaggeredSolver::clear_divergence(const Settings& settings, State& state, StepReport& report) {
     const double most = max_divergence_without_solids * report.speed / lattice_.h;
     for (int more = 0;; ++more) {
-        divergence(lattice_, order_, state.velocity, packed_);
-        report.divergence = 0;
-        for (const float d : packed_)
-            report.divergence = std::max(report.divergence, static_cast<double>(std::abs(d)));
+        report.divergence = largest_divergence(state.velocity);
         if (report.divergence <= most || more == solves_more) return;
         end_stage(settings, state.velocity);
         ++report.pressure_iterations;
@@ -478,7 +499,8 @@ void StaggeredSolver::clear_divergence(const Settings& settings, State& state, S
 /// Gathers the forces and returns how many sub-steps the remaining time `left` needs, at least 1.
 double StaggeredSolver::plan_substeps(const Settings& settings, State& state, double left, double whole,
                                       int allowed) {
-    start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, state.velocity, energy_shares());
+    start_norms_ =
+        current_norms_ ? *current_norms_ : velocity_norms(rows_, state.velocity, energy_shares(), *team_);
     gather_forces(settings, state, 1 / whole);
     const double wanted = std::max(1.0, substeps_wanted(settings, state.velocity, left));
     if (!solids_ || wanted <= allowed) return wanted;
@@ -489,8 +511,9 @@ double StaggeredSolver::plan_substeps(const Settings& settings, State& state, do
     return std::max(1.0, substeps_wanted(settings, state.velocity, left));
 }
 
-StepReport StaggeredSolver::step(const Settings& settings, State& state, double dt) {
+StepReport StaggeredSolver::step(const Settings& settings, State& state, double dt, Team* team) {
     StepReport report;
+    team_ = team != nullptr ? team : &alone_;
     double left = dt;
     current_norms_.reset();
     find_pushed_rows(state);
@@ -515,7 +538,7 @@ StepReport StaggeredSolver::step(const Settings& settings, State& state, double 
     clear_pushes(state);
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
     const VelocityNorms is =
-        current_norms_ ? *current_norms_ : velocity_norms(rows_, state.velocity, energy_shares());
+        current_norms_ ? *current_norms_ : velocity_norms(rows_, state.velocity, energy_shares(), *team_);
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
     report.speed = is.largest;
     if (!solids_) clear_divergence(settings, state, report);

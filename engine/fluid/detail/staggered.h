@@ -15,6 +15,7 @@
 #include "fluid/detail/momentum.h"
 #include "fluid/detail/separable.h"
 #include "fluid/detail/solids.h"
+#include "fluid/detail/split.h"
 #include "fluid/detail/sums.h"
 #include "fluid/detail/transport.h"
 #include "fluid/detail/viscosity.h"
@@ -27,7 +28,8 @@ class StaggeredSolver {
 public:
     StaggeredSolver(const Settings& settings, const Lattice& lattice);
 
-    StepReport step(const Settings& settings, State& state, double dt);
+    /// Advances the fluid by dt (s). `team`: threads that share the loops; null: none.
+    StepReport step(const Settings& settings, State& state, double dt, Team* team);
     /// Advances only the substances by dt (s), carried by the current velocity.
     void carry_substances(const Settings& settings, State& state, double dt);
     /// Null if there are no solids inside the box.
@@ -41,7 +43,10 @@ public:
 private:
     using Velocity = std::array<Samples, 3>;
 
+    Split layers() const { return {*team_, lattice_.cells[2]}; }
     void fill_sides(const Settings& settings, Velocity& velocity, int depth = ghosts) const;
+    void fill_sides_of(Layers layers, Velocity& velocity, int depth) const;
+    void fill_lid(const Settings& settings, Velocity& velocity) const;
     bool viscosity_varies(const Settings& settings) const;
     static bool has_weight(const Settings& settings);
     double substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const;
@@ -53,9 +58,12 @@ private:
     void predict_buoyancy(const Settings& settings, const State& state, double dt);
     void add_gravity(const Settings& settings);
     void substep(const Settings& settings, State& state, double dt, double whole, StepReport& report);
+    void project(Velocity& velocity);
+    void solve_pressure(const Velocity& velocity);
     void end_stage(const Settings& settings, Velocity& velocity);
     void run_stage(const RungeKuttaStage& stage, double viscosity);
     const Velocity& carrying_velocity(const Settings& settings, const Velocity& velocity);
+    double largest_divergence(const Velocity& velocity);
     void clear_divergence(const Settings& settings, State& state, StepReport& report);
     void end_step(const Settings& settings, State& state, double dt, StepReport& report);
     void find_pushed_rows(const State& state);
@@ -69,6 +77,8 @@ private:
                                 State& state, double dt, int max_substeps = TransportSettings{}.max_substeps);
     void semi_lagrangian(const Settings& settings, State& state, double dt, double whole, StepReport& report);
 
+    Team alone_;            ///< a team of the leader alone
+    Team* team_ = &alone_;  ///< threads that share the loops of the present step
     Lattice lattice_;
     int order_;
     std::unique_ptr<Solids> solids_;

@@ -94,25 +94,36 @@ double max_product(const Rows& rows, const Samples& a, const Samples& b) {
                     [x = a.data(), y = b.data()](std::ptrdiff_t i) { return load(x + i) * load(y + i); });
 }
 
-double segregation(const Rows& rows, double cells, const Samples& density) {
-    Floats8 most{};
-    double sum = 0, square = 0;
-    each_row(rows, [&](Row row) {
+void segregation_of_rows(const Rows& rows, Layers layers, const Samples& density,
+                         std::span<SegregationOfRow> of_rows) {
+    const int ny = rows.lattice.cells[1];
+    for (int r = layers.first * ny; r < layers.end * ny; ++r) {
+        const Row row = rows.rows[static_cast<std::size_t>(r)];
         const float* value = density.data() + row.at;
         const std::ptrdiff_t whole = row.count / 8 * 8;
-        Floats8 row_sum{}, row_square{};
+        SegregationOfRow found{};
         const auto add = [&](const Floats8& q) {
-            row_sum += q;
-            row_square += q * q;
-            most = q > most ? q : most;
+            found.sum += q;
+            found.square += q * q;
+            found.most = larger(q, found.most);
         };
         for (std::ptrdiff_t i = 0; i < whole; i += 8) add(load(value + i));
         for (std::ptrdiff_t i = whole; i < row.count; ++i) add(Floats8{value[i]});
+        of_rows[static_cast<std::size_t>(r)] = found;
+    }
+}
+
+double segregation(const Rows& rows, double cells, std::span<const SegregationOfRow> of_rows) {
+    Floats8 most{};
+    double sum = 0, square = 0;
+    for (std::size_t r = 0; r < of_rows.size(); ++r) {
+        if (rows.rows[r].count == 0) continue;
+        most = larger(of_rows[r].most, most);
         for (std::ptrdiff_t lane = 0; lane < 8; ++lane) {
-            sum += static_cast<double>(row_sum[lane]);
-            square += static_cast<double>(row_square[lane]);
+            sum += static_cast<double>(of_rows[r].sum[lane]);
+            square += static_cast<double>(of_rows[r].square[lane]);
         }
-    });
+    }
     double highest = 0;
     for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
         highest = std::max(highest, static_cast<double>(most[lane]));
@@ -121,21 +132,27 @@ double segregation(const Rows& rows, double cells, const Samples& density) {
 }
 
 VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity,
-                             const std::array<Samples, 3>* shares) {
+                             const std::array<Samples, 3>* shares, Team& team) {
+    std::array<double, 3> sums{}, most{};
+    team.each(6, [&](int slice, unsigned) {
+        const auto axis = static_cast<std::size_t>(slice / 2);
+        const float* u = velocity[axis].data();
+        const auto square_at = [u](std::ptrdiff_t i) { return load_4(u + i) * load_4(u + i); };
+        if (slice % 2 != 0)
+            most[axis] = largest(rows, velocity[axis]);
+        else if (shares == nullptr)
+            sums[axis] = sum_over(rows, square_at);
+        else
+            sums[axis] = sum_over(rows, [&, share = (*shares)[axis].data()](std::ptrdiff_t i) {
+                return load_4(share + i) * square_at(i);
+            });
+    });
     VelocityNorms result;
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float* u = velocity[axis].data();
-        const auto square_at = [u](std::ptrdiff_t i) { return load_4(u + i) * load_4(u + i); };
-        if (shares == nullptr)
-            sum += sum_over(rows, square_at);
-        else
-            sum += sum_over(rows, [&, share = (*shares)[axis].data()](std::ptrdiff_t i) {
-                return load_4(share + i) * square_at(i);
-            });
-        const double most = largest(rows, velocity[axis]);
-        result.largest = std::max(result.largest, most);
-        result.sum_of_largest += most;
+        sum += sums[axis];
+        result.largest = std::max(result.largest, most[axis]);
+        result.sum_of_largest += most[axis];
     }
     result.half_square = 0.5 * sum;
     return result;

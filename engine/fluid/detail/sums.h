@@ -1,6 +1,9 @@
 // fluid/detail/sums.h: sums and maxima over all cells or over those with fluid. Sums are in double and in one
 // fixed order.
 #pragma once
+#include <span>
+
+#include "core/team.h"
 #include "fluid/rows.h"
 
 namespace thaum::fluid {
@@ -22,7 +25,15 @@ double max_product(const Rows& rows, const Samples& a, const Samples& b);
 /// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its
 /// variance, divided by the variance that the same amount would have if each cell were either empty or at the
 /// highest density. It is 1 if every cell is one or the other.
-double segregation(const Rows& rows, double cells, const Samples& density);
+///
+/// It is computed in two parts, the first of which threads may do in different layers at the same time.
+/// `of_rows` has an element for each row.
+struct SegregationOfRow {
+    Floats8 sum, square, most;
+};
+void segregation_of_rows(const Rows& rows, Layers layers, const Samples& density,
+                         std::span<SegregationOfRow> of_rows);
+double segregation(const Rows& rows, double cells, std::span<const SegregationOfRow> of_rows);
 
 /// Largest components of a velocity, and half its square.
 struct VelocityNorms {
@@ -35,6 +46,6 @@ struct VelocityNorms {
 /// open shares at solids (parts of faces that no solid covers) as weights, the sum is the energy that a
 /// projection lowers. Small openings then contribute little, however fast the flow in them is.
 VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity,
-                             const std::array<Samples, 3>* shares);
+                             const std::array<Samples, 3>* shares, Team& team);
 
 }  // namespace thaum::fluid

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fluid/detail/ceiling.h"
+#include "fluid/detail/split.h"
 #include "fluid/detail/sums.h"
 #include "fluid/detail/transport_rows.h"
 #include "fluid/floats8.h"
@@ -13,7 +14,8 @@
 
 // One array of fluxes for each axis is enough, because the lattice is processed layer by layer: first the
 // fluxes through the faces of a layer, then, when those of the layer above are ready, the new densities of
-// the layer.
+// the layer. Threads take slices of several layers. The last layer of a slice waits until all slices have
+// their fluxes, because it needs those of the next slice's first faces.
 namespace thaum::fluid {
 namespace {
 
@@ -36,6 +38,8 @@ struct SubstepContext {
     SubstepScale scale;
     const Samples& start;
     TransportScratch& scratch;
+    Team& team;
+    Split split;  ///< slices of the layers
 
     const Rows& rows() const { return face_flow.rows(); }
 
@@ -75,49 +79,67 @@ void copy_last_faces(const Lattice& lattice, std::size_t axis, int k, Samples& f
     for (int j = 0; axis == 2 && k == 0 && j < ny; ++j) std::copy_n(first(j, 0), nx, first(j, nz));
 }
 
-/// Calls `faces(axis, k)` for the faces of all layers, and `cells(k)` when the fluxes of layer k and of the
-/// layer above it are ready.
-template <class Faces, class CellsOfLayer>
-void each_layer(const Lattice& lattice, Faces faces, CellsOfLayer cells) {
-    const int nz = lattice.cells[2];
-    for (int k = 0; k < nz; ++k) {
-        faces(2, k);
-        if (k > 0) cells(k - 1);
-        faces(0, k);
-        faces(1, k);
-    }
-    cells(nz - 1);
+constexpr auto nothing = [] {};
+
+/// Calls `faces(axis, k)` for the faces of all layers, `cells(k)` when the fluxes of layer k and of the layer
+/// above it are ready, and `end(layers)` for slices of layers whose cells are done.
+/// `beside` is called once, at the same time as the first faces.
+template <class Faces, class CellsOfLayer, class End, class Beside>
+void each_layer(const SubstepContext& c, Faces faces, CellsOfLayer cells, End end, Beside beside) {
+    c.team.each(c.split.slices + 1, [&](int slice, unsigned) {
+        if (slice == 0) return beside();
+        const Layers layers = c.split[slice - 1];
+        for (int k = layers.first; k < layers.end; ++k) {
+            faces(2, k);
+            if (k > layers.first) cells(k - 1);
+            faces(0, k);
+            faces(1, k);
+        }
+    });
+    each_slice(c.team, c.split, [&](Layers layers, unsigned) {
+        cells(layers.end - 1);
+        end(layers);
+    });
 }
 
-/// Computes all fluxes of a stage and calls `cells(k)` when those of layer k are ready. Rows are extended to
-/// whole vectors; the extra values are never read.
-template <StageIndex stage, TransportTerms terms, class CellsOfLayer>
-void each_layer_of_stage(const SubstepContext& c, const Samples& value, CellsOfLayer cells) {
+/// Computes all fluxes of a stage and calls `cells(k)` when those of layer k are ready, then `end`. Rows are
+/// extended to whole vectors; the extra values are never read.
+template <StageIndex stage, TransportTerms terms, class CellsOfLayer, class End, class Beside>
+void each_layer_of_stage(const SubstepContext& c, const Samples& value, CellsOfLayer cells, End end,
+                         Beside beside) {
     const auto faces = [&](std::size_t axis, int k) {
         flux_rows<stage, terms>(c, value, axis, k);
         copy_last_faces(c.lattice, axis, k, c.scratch.flux[axis]);
         if (stage == StageIndex::third) copy_last_faces(c.lattice, axis, k, c.scratch.donors[axis]);
     };
-    each_layer(c.lattice, faces, cells);
+    each_layer(c, faces, cells, end, beside);
 }
 
 /// Computes the density of the next Runge-Kutta stage: the density at the start of the sub-step, changed by
 /// `part` times the sum of the fluxes of the stages so far.
-template <StageIndex stage, TransportTerms terms>
-void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next) {
-    each_layer_of_stage<stage, terms>(c, value, [&](int k) {
+template <StageIndex stage, TransportTerms terms, class Beside>
+void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next, Beside beside) {
+    const auto cells = [&](int k) {
         each_row(c.rows(), k, [&](Row row) {
             const Fluxes fluxes = c.at(c.scratch.flux, row.at);
             for (std::ptrdiff_t i = 0; i < row.count; i += 8)
                 store(next.data() + row.at + i,
                       load(c.start.data() + row.at + i) - part * net_outflow(fluxes, i));
         });
-    });
-    fill_ghosts(c.rows(), all_even, next);
+    };
+    each_layer_of_stage<stage, terms>(
+        c, value, cells, [&](Layers layers) { fill_ghosts(c.rows(), layers, all_even, next); }, beside);
+}
+
+/// Index of row j of layer k.
+std::size_t row_index(const Lattice& lattice, int j, int k) {
+    return static_cast<std::size_t>(k) * static_cast<std::size_t>(lattice.cells[1]) +
+           static_cast<std::size_t>(j);
 }
 
 /// Limits the differences between fluxes of fifth and of first order through the faces of a layer, so that no
-/// cell leaves its bounds. If `levels` is not null, adds to it what crosses the faces.
+/// cell leaves its bounds. If `levels` is not null, finds what crosses the faces: across x it is added to
+/// `levels`, across y and z it is kept row by row.
 void limit_layer(const SubstepContext& c, std::size_t axis, int k, Levels* levels) {
     const std::ptrdiff_t s = c.lattice.stride[axis];
     float* difference = c.scratch.flux[axis].data();
@@ -127,17 +149,41 @@ void limit_layer(const SubstepContext& c, std::size_t axis, int k, Levels* level
         limit_fluxes(c.scratch.part.data() + row.at, c.scratch.room.data() + row.at, s, row.count,
                      difference + row.at);
         if (levels == nullptr) continue;
-        const auto first = row.at - c.lattice.at(0, j, k);
-        const auto level = static_cast<std::size_t>(axis == 0 ? first : axis == 1 ? j : k);
-        add_crossed(c.scale.courant,
-                    {.donors = c.scratch.donors[axis].data() + row.at,
-                     .limited = difference + row.at,
-                     .courant = c.face_flow.courant[axis].data() + row.at,
-                     .start = c.start.data() + row.at,
-                     .step = s},
-                    row.count, axis == 0 ? 1 : 0, levels->data() + level);
+        const CrossedRow crossed{.donors = c.scratch.donors[axis].data() + row.at,
+                                 .limited = difference + row.at,
+                                 .courant = c.face_flow.courant[axis].data() + row.at,
+                                 .start = c.start.data() + row.at,
+                                 .step = s};
+        if (axis == 0)
+            add_crossed(c.scale.courant, crossed, row.count,
+                        levels->data() + (row.at - c.lattice.at(0, j, k)));
+        else
+            c.scratch.crossed[axis][row_index(c.lattice, j, k)] =
+                crossed_in_row(c.scale.courant, crossed, row.count);
     }
     copy_last_faces(c.lattice, axis, k, c.scratch.flux[axis]);
+}
+
+/// Density that crossed all faces across an axis, positive in the direction of the axis. Across y and z the
+/// rows of each level are summed here.
+double sum_of_levels(const SubstepContext& c, std::size_t axis, Levels& levels) {
+    const int ny = c.lattice.cells[1];
+    const int others = axis == 1 ? c.lattice.cells[2] : ny;
+    if (axis != 0)
+        each_slice(c.team, Split(c.team, c.lattice.cells[axis]), [&](Layers slice, unsigned) {
+            for (int level = slice.first; level < slice.end; ++level)
+                for (int other = 0; other < others; ++other) {
+                    const int j = axis == 1 ? level : other, k = axis == 1 ? other : level;
+                    if (c.rows().at(j, k).count == 0) continue;
+                    const CrossedSums& row = c.scratch.crossed[axis][row_index(c.lattice, j, k)];
+                    for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
+                        levels[static_cast<std::size_t>(level)].add(row.density[lane], row.flow[lane],
+                                                                    row.either[lane], row.carried[lane]);
+                }
+        });
+    double sum = 0;
+    for (const LevelCrossing& level : levels) sum += level.beyond_mean();
+    return sum;
 }
 
 /// Applies the differences between fluxes of fifth and of first order, limited, to the density after the
@@ -150,7 +196,7 @@ vec3 apply_limited(const SubstepContext& c, const Samples& left, const vec3& alo
     const auto faces = [&](std::size_t axis, int k) {
         limit_layer(c, axis, k, levels[axis] ? &*levels[axis] : nullptr);
     };
-    each_layer(c.lattice, faces, [&](int k) {
+    const auto cells = [&](int k) {
         each_row(c.rows(), k, [&](Row row) {
             const Fluxes limited = c.at(c.scratch.flux, row.at);
             for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
@@ -158,47 +204,50 @@ vec3 apply_limited(const SubstepContext& c, const Samples& left, const vec3& alo
                 store(density.data() + row.at + i, current < min_density ? zero8 : current);
             }
         });
-    });
+    };
+    each_layer(
+        c, faces, cells, [&](Layers layers) { fill_ghosts(c.rows(), layers, all_even, density); }, nothing);
     vec3 moved(0);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!levels[axis]) continue;
-        for (const LevelCrossing& level : *levels[axis]) moved[static_cast<int>(axis)] += level.beyond_mean();
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (levels[axis]) moved[static_cast<int>(axis)] = sum_of_levels(c, axis, *levels[axis]);
     return moved;
 }
 
+/// Fills the ghosts of the shares of flux that cells allow. Those beyond walls are never used, because the
+/// flux difference through a wall is 0.
+void fill_shares(const SubstepContext& c, Layers layers) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (c.lattice.edges[axis] != Edge::periodic) continue;
+        fill_ghosts_across(c.rows(), layers, axis, GhostRule::even, c.scratch.part);
+        fill_ghosts_across(c.rows(), layers, axis, GhostRule::even, c.scratch.room);
+    }
+}
+
 template <TransportTerms terms>
-vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale scale, const vec3& along,
-             Samples& density, TransportScratch& scratch) {
-    const SubstepContext c{lattice, face_flow, scale, density, scratch};
+vec3 substep(const SubstepContext& c, const vec3& along, Samples& density) {
+    TransportScratch& scratch = c.scratch;
     Samples& first = scratch.first;
     Samples& second = scratch.second;
-    take_stage<StageIndex::first, terms>(c, density, 1, first);
-    take_stage<StageIndex::second, terms>(c, first, 0.25F, second);
+    const auto* open = c.face_flow.face_apertures;
+    float ceiling = 0;
+    take_stage<StageIndex::first, terms>(c, density, 1, first, [&] {
+        ceiling = density_ceiling(c.rows(), open != nullptr ? &open->aperture : nullptr, density);
+    });
+    take_stage<StageIndex::second, terms>(c, first, 0.25F, second, nothing);
     Samples& left = first;  // uses the memory of the first stage, which is no longer needed
-    const float ceiling = density_ceiling(
-        face_flow.rows(), face_flow.face_apertures != nullptr ? &face_flow.face_apertures->aperture : nullptr,
-        density);
-    each_layer_of_stage<StageIndex::third, terms>(c, second, [&](int k) {
+    const auto limit = [&](int k) {
         each_row(c.rows(), k, [&](Row row) {
             const std::ptrdiff_t at = row.at;
             limit_row(c.at(scratch.donors, at), c.at(scratch.flux, at), density.data() + at, ceiling,
                       row.count, {left.data() + at, scratch.part.data() + at, scratch.room.data() + at});
         });
-    });
-    // Shares beyond walls are never used, because the flux difference through a wall is 0.
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (lattice.edges[axis] != Edge::periodic) continue;
-        fill_ghosts_across(c.rows(), axis, GhostRule::even, scratch.part);
-        fill_ghosts_across(c.rows(), axis, GhostRule::even, scratch.room);
-    }
-    const vec3 moved = apply_limited(c, left, along, density);
-    fill_ghosts(c.rows(), all_even, density);
-    return moved;
+    };
+    each_layer_of_stage<StageIndex::third, terms>(
+        c, second, limit, [&](Layers layers) { fill_shares(c, layers); }, nothing);
+    return apply_limited(c, left, along, density);
 }
 
-using Substep = vec3 (*)(const Lattice&, const FaceFlow&, SubstepScale, const vec3&, Samples&,
-                         TransportScratch&);
+using Substep = vec3 (*)(const SubstepContext&, const vec3&, Samples&);
 
 template <bool solids>
 Substep substep_of(SubstepScale scale) {
@@ -237,24 +286,24 @@ bool is_empty(const Rows& rows, const Samples& density) {
 }
 
 /// Sharpness of a substance's edges, the factor of the flux that keeps them sharp: 0 if the substance has no
-/// region of uniform density, and 0 if it diffuses.
-float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& density) {
+/// region of uniform density, and 0 if it diffuses. The sums of its rows are in `of_rows`.
+float sharpness_of(const FaceFlow& face_flow, double diffusion, std::span<const SegregationOfRow> of_rows) {
     if (diffusion > 0) return 0;
     const Cells n = face_flow.rows().lattice.cells;
     const double cells =
         face_flow.face_apertures != nullptr ? face_flow.face_apertures->cells : double(n[0]) * n[1] * n[2];
-    const double share = (segregation(face_flow.rows(), cells, density) - segregation_of_blurred) /
+    const double share = (segregation(face_flow.rows(), cells, of_rows) - segregation_of_blurred) /
                          (segregation_of_sharp - segregation_of_blurred);
     // Rounding the share to sixteenths hides the rounding errors of the sums, so that the symmetry of the
     // flow is kept.
     return static_cast<float>(max_sharpness * std::round(16 * std::clamp(share, 0.0, 1.0)) / 16);
 }
 
-/// The largest part of a cell's content that the flow carries out of it, over all cells.
-float largest_outflow(const Lattice& lattice, const FaceFlow& face_flow) {
+/// The largest part of a cell's content that the flow carries out of it, over all cells of some layers.
+float largest_outflow_in(const Lattice& lattice, const FaceFlow& face_flow, Layers layers) {
     Floats8 most{};
     const auto& c = face_flow.courant;
-    each_row(face_flow.rows(), [&](Row row) {
+    each_row(face_flow.rows(), layers, [&](Row row) {
         const Fluxes courant{{c[0].data() + row.at, c[1].data() + row.at, c[2].data() + row.at},
                              lattice.stride};
         const std::ptrdiff_t whole = row.count / 8 * 8;
@@ -267,6 +316,44 @@ float largest_outflow(const Lattice& lattice, const FaceFlow& face_flow) {
     float result = 0;
     for (std::ptrdiff_t lane = 0; lane < 8; ++lane) result = std::max(result, float{most[lane]});
     return result;
+}
+
+float largest_outflow(const Lattice& lattice, const FaceFlow& face_flow, Team& team) {
+    const Split split(team, lattice.cells[2]);
+    std::array<float, max_cells> most{};
+    team.each(split.slices, [&](int slice, unsigned) {
+        most[static_cast<std::size_t>(slice)] = largest_outflow_in(lattice, face_flow, split[slice]);
+    });
+    return *std::max_element(most.begin(), most.begin() + split.slices);
+}
+
+/// Sets the flow across one axis in the given rows, to the mean of two velocities.
+void set_flow_in(const FaceApertures& open, Layers layers, std::size_t axis, const Samples& before,
+                 const Samples& after, float factor, Samples& to) {
+    const float *const first = before.data(), *const second = after.data();
+    const float* const aperture = open.aperture[axis].data();
+    each_row(open.rows, layers, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
+            store(to.data() + i, 0.5F * (load(first + i) + load(second + i)) * factor * load(aperture + i));
+    });
+}
+
+/// Sets the flow across one axis at all indices from `from` to `end` - 1, where all faces are open.
+void set_open_flow(const Lattice& lattice, Layers indices, std::size_t axis, const Samples& before,
+                   const Samples& after, float factor, int order, Samples& flow) {
+    const float *const first = before.data(), *const second = after.data();
+    float* const to = flow.data();
+    const auto mean = [=](std::size_t i) { return 0.5F * (first[i] + second[i]); };
+    const auto s = static_cast<std::size_t>(lattice.stride[axis]);
+    auto from = static_cast<std::size_t>(indices.first), end = static_cast<std::size_t>(indices.end);
+    if (order == 4) {
+        from = std::max(from, s);
+        end = std::min(end, lattice.size - s);
+        for (std::size_t i = from; i < end; ++i)
+            to[i] = factor * (mean(i) * (26.0F / 24) - (mean(i - s) + mean(i + s)) * (1.0F / 24));
+    } else {
+        for (std::size_t i = from; i < end; ++i) to[i] = mean(i) * factor;
+    }
 }
 
 }  // namespace
@@ -319,53 +406,59 @@ TransportScratch make_transport_scratch(const Lattice& lattice) {
                              .part = make_samples(lattice),
                              .room = make_samples(lattice)};
     for (auto* fluxes : {&scratch.flux, &scratch.donors}) fluxes->fill(make_samples(lattice));
+    const std::size_t rows = row_index(lattice, 0, lattice.cells[2]);
+    scratch.segregation.resize(rows);
+    for (const std::size_t axis : {1U, 2U}) scratch.crossed[axis].resize(rows);
     return scratch;
 }
 
 void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
                    const std::array<Samples, 3>& after, const FaceApertures* face_apertures, double dt,
-                   FaceFlow& face_flow, int order) {
+                   FaceFlow& face_flow, Team& team, int order) {
     const auto factor = static_cast<float>(dt / lattice.h);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float *const first = before[axis].data(), *const second = after[axis].data();
-        float* const to = face_flow.courant[axis].data();
-        const auto mean = [=](std::size_t i) { return 0.5F * (first[i] + second[i]); };
-        if (order == 4) {
-            const auto s = static_cast<std::size_t>(lattice.stride[axis]);
-            for (std::size_t i = s; i < lattice.size - s; ++i)
-                to[i] = factor * (mean(i) * (26.0F / 24) - (mean(i - s) + mean(i + s)) * (1.0F / 24));
-        } else if (face_apertures != nullptr) {
-            const float* const aperture = face_apertures->aperture[axis].data();
-            each_row(face_apertures->rows, [&](Row row) {
-                for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-                    store(to + i, 0.5F * (load(first + i) + load(second + i)) * factor * load(aperture + i));
-            });
-            // The last faces of a periodic lattice are copies of the first.
+    if (face_apertures != nullptr) {
+        each_slice(team, Split(team, lattice.cells[2]), [&](Layers layers, unsigned) {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                set_flow_in(*face_apertures, layers, axis, before[axis], after[axis], factor,
+                            face_flow.courant[axis]);
+        });
+        // The last faces of a periodic lattice are copies of the first.
+        for (std::size_t axis = 0; axis < 3; ++axis)
             if (lattice.edges[axis] == Edge::periodic)
                 fill_ghosts_across(face_apertures->rows, axis, GhostRule::even, face_flow.courant[axis]);
-        } else {
-            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = mean(i) * factor;
-        }
+    } else {
+        each_slice(team, Split(team, static_cast<int>(lattice.size)), [&](Layers indices, unsigned) {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                set_open_flow(lattice, indices, axis, before[axis], after[axis], factor, order,
+                              face_flow.courant[axis]);
+        });
     }
     face_flow.face_apertures = face_apertures;
     face_flow.dt = dt;
-    face_flow.outflow = largest_outflow(lattice, face_flow);
+    face_flow.outflow = largest_outflow(lattice, face_flow, team);
 }
 
 TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
-                          const TransportSettings& settings, Samples& density, TransportScratch& scratch) {
+                          const TransportSettings& settings, Samples& density, TransportScratch& scratch,
+                          Team& team) {
     const double diffusion = settings.diffusion * face_flow.dt / (lattice.h * lattice.h);
     if ((face_flow.outflow == 0 && diffusion == 0) || is_empty(face_flow.rows(), density)) return {};
     const auto [substeps, carried, spread] = schedule(face_flow.outflow, diffusion, settings.max_substeps);
+    Split split(team, lattice.cells[2]);
+    each_slice(team, split, [&](Layers layers, unsigned) {
+        if (diffusion == 0) segregation_of_rows(face_flow.rows(), layers, density, scratch.segregation);
+        fill_ghosts(face_flow.rows(), layers, all_even, density);
+    });
     const SubstepScale scale{static_cast<float>(carried / substeps),
                              static_cast<float>(diffusion * spread / substeps),
-                             sharpness_of(face_flow, diffusion, density)};
-    fill_ghosts(face_flow.rows(), all_even, density);
+                             sharpness_of(face_flow, diffusion, scratch.segregation)};
+    // What crosses levels that lie across x is summed over all rows, which one thread does in order.
+    if (settings.moved_along.x != 0) split.slices = 1;
+    const SubstepContext context{lattice, face_flow, scale, density, scratch, team, split};
     const auto step =
         face_flow.face_apertures != nullptr ? substep_of<true>(scale) : substep_of<false>(scale);
     vec3 moved(0);
-    for (int i = 0; i < substeps; ++i)
-        moved += step(lattice, face_flow, scale, settings.moved_along, density, scratch);
+    for (int i = 0; i < substeps; ++i) moved += step(context, settings.moved_along, density);
     const auto [nx, ny, nz] = lattice.cells;
     return {substeps, carried, spread, moved, std::int64_t{nx} * ny * nz * substeps};
 }

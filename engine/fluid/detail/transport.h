@@ -33,6 +33,8 @@
 #include <cstdint>
 
 #include "core/maths.h"
+#include "core/team.h"
+#include "fluid/detail/sums.h"
 #include "fluid/rows.h"
 
 namespace thaum::fluid {
@@ -75,7 +77,13 @@ FaceFlow make_face_flow(const Lattice& lattice);
 /// flow. face_apertures must then be null.
 void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
                    const std::array<Samples, 3>& after, const FaceApertures* face_apertures, double dt,
-                   FaceFlow& face_flow, int order = 2);
+                   FaceFlow& face_flow, Team& team, int order = 2);
+
+/// What flows through the faces of a row in one sub-step, in eight partial sums. The members of LevelCrossing
+/// (transport_rows.h) say what they are.
+struct CrossedSums {
+    Floats8 density, flow, either, carried;
+};
 
 /// Scratch memory for any substances on one lattice with the same apertures of faces. Cells without open
 /// faces stay zero.
@@ -84,6 +92,10 @@ struct TransportScratch {
     /// `flux`: sum of the fluxes of the stages, then the difference of fifth order minus first, then that
     /// difference limited. `donors`: fluxes of first order.
     std::array<Samples, 3> flux{}, donors{};
+    std::vector<SegregationOfRow> segregation{};  ///< an element for each row
+    /// For each axis, what crosses the low faces of each row. Threads find it in any order; it is summed in
+    /// the order of the rows.
+    std::array<std::vector<CrossedSums>, 3> crossed{};
 };
 
 TransportScratch make_transport_scratch(const Lattice& lattice);
@@ -119,6 +131,7 @@ struct TransportReport {
 /// Transports the density of a substance by a flow. The density must be finite and >= 0. Fills the ghost
 /// cells itself. Results below 1e-20 become 0.
 TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
-                          const TransportSettings& settings, Samples& density, TransportScratch& scratch);
+                          const TransportSettings& settings, Samples& density, TransportScratch& scratch,
+                          Team& team);
 
 }  // namespace thaum::fluid

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fluid/detail/transport.h"
 #include "fluid/floats8.h"
 #include "fluid/lattice.h"
 
@@ -236,35 +237,45 @@ struct CrossedRow {
     std::ptrdiff_t step;
 };
 
-/// Adds the fluxes through the low faces of a row of cells to `levels`, one for each height. Each cell is
-/// `across` cells higher than the previous one, 0 or 1.
-inline void add_crossed(float scale, const CrossedRow& row, std::ptrdiff_t count, std::ptrdiff_t across,
-                        LevelCrossing* levels) {
-    Floats8 crossed{}, of_fluid{}, either_way{}, with_mean{};
-    for (std::ptrdiff_t i = 0; i < count; i += 8) {
-        const Floats8 all = load(row.donors + i) + load(row.limited + i);
-        const Floats8 flow = scale * load(row.courant + i), size = magnitude(flow);
-        const Floats8 mean = size * (0.5F * (load(row.start + i - row.step) + load(row.start + i)));
-        const std::ptrdiff_t lanes = std::min<std::ptrdiff_t>(8, count - i);
-        if (across != 0) {
-            for (std::ptrdiff_t lane = 0; lane < lanes; ++lane)
-                levels[i + lane].add(all[lane], flow[lane], size[lane], mean[lane]);
-        } else if (lanes == 8) {
-            crossed += all;
-            of_fluid += flow;
-            either_way += size;
-            with_mean += mean;
-        } else {
-            for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) {
-                crossed[0] += all[lane];
-                of_fluid[0] += flow[lane];
-                either_way[0] += size[lane];
-                with_mean[0] += mean[lane];
-            }
-        }
+/// Flow of a substance and of fluid through the low faces of eight cells, from the i-th of a row on.
+inline CrossedSums crossed_at(float scale, const CrossedRow& row, std::ptrdiff_t i) {
+    const Floats8 flow = scale * load(row.courant + i), size = magnitude(flow);
+    return {.density = load(row.donors + i) + load(row.limited + i),
+            .flow = flow,
+            .either = size,
+            .carried = size * (0.5F * (load(row.start + i - row.step) + load(row.start + i)))};
+}
+
+/// Sums what flows through the low faces of a row of cells that are all at one height.
+inline CrossedSums crossed_in_row(float scale, const CrossedRow& row, std::ptrdiff_t count) {
+    CrossedSums sums{};
+    std::ptrdiff_t i = 0;
+    for (; i + 8 <= count; i += 8) {
+        const CrossedSums here = crossed_at(scale, row, i);
+        sums.density += here.density;
+        sums.flow += here.flow;
+        sums.either += here.either;
+        sums.carried += here.carried;
     }
-    for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
-        levels->add(crossed[lane], of_fluid[lane], either_way[lane], with_mean[lane]);
+    if (i == count) return sums;
+    const CrossedSums here = crossed_at(scale, row, i);
+    for (std::ptrdiff_t lane = 0; lane < count - i; ++lane) {
+        sums.density[0] += here.density[lane];
+        sums.flow[0] += here.flow[lane];
+        sums.either[0] += here.either[lane];
+        sums.carried[0] += here.carried[lane];
+    }
+    return sums;
+}
+
+/// Adds the fluxes through the low faces of a row of cells to `levels`, each of which is one cell higher than
+/// the one before.
+inline void add_crossed(float scale, const CrossedRow& row, std::ptrdiff_t count, LevelCrossing* levels) {
+    for (std::ptrdiff_t i = 0; i < count; i += 8) {
+        const CrossedSums here = crossed_at(scale, row, i);
+        for (std::ptrdiff_t lane = 0; lane < std::min<std::ptrdiff_t>(8, count - i); ++lane)
+            levels[i + lane].add(here.density[lane], here.flow[lane], here.either[lane], here.carried[lane]);
+    }
 }
 
 }  // namespace thaum::fluid

@@ -1,6 +1,7 @@
 #include "fluid/detail/viscosity.h"
 
 #include <algorithm>
+#include <span>
 
 #include "fluid/detail/transpose.h"
 #include "fluid/detail/viscous_links.h"
@@ -369,18 +370,29 @@ void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     }
 }
 
+/// The faces of a list that lie in some layers. The list is sorted by index.
+template <class Face>
+std::span<const Face> faces_in(const std::vector<Face>& faces, const Lattice& lattice, Layers layers) {
+    const auto from = [&](int layer) {
+        const auto first = static_cast<std::size_t>(lattice.at(0, 0, layer));
+        return std::ranges::lower_bound(faces, first, {}, &Face::at);
+    };
+    return {from(layers.first), from(layers.end)};
+}
+
 }  // namespace
 
 Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidShare& solid)
-    : lattice_(lattice),
-      solids_(solids),
-      rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)),
-      face_coefficients_(lattice.size, -1.0F) {
+    : lattice_(lattice), solids_(solids), rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)) {
+    face_coefficients_.fill(Samples(lattice.size, -1.0F));
     const auto [nx, ny, nz] = lattice.cells;
     const auto width = static_cast<std::size_t>(round_up_to_8(std::max(nx, ny)));
     const auto most = width * static_cast<std::size_t>(1 + std::max({nx, ny, nz}));
-    for (auto* slab : {&value_, &coefficient_, &upper_, &corner_}) slab->assign(most, 0.0F);
-    for (auto& row : rows_of_lines_) row.assign(width, 0.0F);
+    for (LineScratch& scratch : scratch_) {
+        for (auto* slab : {&scratch.value, &scratch.coefficient, &scratch.upper, &scratch.corner})
+            slab->assign(most, 0.0F);
+        for (auto& row : scratch.rows) row.assign(width, 0.0F);
+    }
     closed_.assign(width, -1.0F);
     if (solids_ == nullptr) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -392,11 +404,45 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
     }
 }
 
-void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity) {
-    for (std::size_t axis = 0; axis < 3; ++axis) component(step, axis, velocity[axis]);
+// The components do not depend on each other. Lines along x and y lie within a layer across z, and lines
+// along z within a level across y, so all layers of all components are solved at once, then all levels.
+void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity, Team& team) {
+    const auto each = [&](int number, auto&& solve) {
+        const Split split(team, number, 8);
+        team.each(3 * split.slices, [&](int slice, unsigned seat) {
+            const auto axis = static_cast<std::size_t>(slice / split.slices);
+            solve(axis, split[slice % split.slices], velocity[axis], scratch_[seat]);
+        });
+    };
+    const int layers = lattice_.cells[2], levels = lattice_.cells[1];
+    each(layers, [&](std::size_t axis, Layers slice, Samples& u, LineScratch& scratch) {
+        begin_component(step, axis, slice, u);
+        along(step, axis, 0, slice, u, scratch);
+        along(step, axis, 1, slice, u, scratch);
+    });
+    // The second pass takes the axes in the opposite order.
+    each(levels, [&](std::size_t axis, Layers slice, Samples& u, LineScratch& scratch) {
+        for (int pass = 0; pass < step.passes; ++pass) along(step, axis, 2, slice, u, scratch);
+    });
+    if (step.passes == 2)
+        each(layers, [&](std::size_t axis, Layers slice, Samples& u, LineScratch& scratch) {
+            along(step, axis, 1, slice, u, scratch);
+            along(step, axis, 0, slice, u, scratch);
+        });
+    if (solids_ != nullptr && step.no_slip_at_solids)
+        team.each(3, [&](int component, unsigned) {
+            const auto axis = static_cast<std::size_t>(component);
+            scale_to_faces(step, axis, velocity[axis]);
+        });
+    if (step.force != nullptr)
+        each(layers, [&](std::size_t axis, Layers slice, Samples& u, LineScratch&) {
+            end_component(step, axis, slice, u);
+        });
 }
 
-void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u) {
+/// Sets the coefficients of the faces of a component in some layers, takes the force out, and converts the
+/// velocities of cut faces.
+void Viscosity::begin_component(const ViscousStep& step, std::size_t axis, Layers layers, Samples& u) {
     const auto s = lattice_.stride[axis];
     const auto half = static_cast<float>(0.5 * step.dt / (step.passes * lattice_.h * lattice_.h));
     const Floats8 most = zero8 + max_coefficient(lattice_, step);
@@ -405,25 +451,25 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     const float* open = holds                ? on_lines_[axis].data()
                         : solids_ != nullptr ? solids_->open()[axis].data()
                                              : nullptr;
-    each_row(rows_, [&](Row row) {
+    each_row(rows_, layers, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
             const Floats8 both = half * (load(nu + i - s) + load(nu + i));
             const Floats8 closed = zero8 - 1.0F;
             const Floats8 share = open == nullptr ? closed + 2.0F : load(open + i);
             const Floats8 coefficients = share > zero8 ? both : closed;
-            store(face_coefficients_.data() + i, coefficients);
+            store(face_coefficients_[axis].data() + i, coefficients);
             if (step.force != nullptr) add_force(step, axis, -1, smaller(coefficients, most), i, u);
         }
     });
-    if (holds) scale_to_lines(axis, u);
-    for (int pass = 0; pass < step.passes; ++pass)
-        for (std::size_t across = 0; across < 3; ++across)
-            along(step, axis, pass % 2 == 0 ? across : 2 - across, u);
-    if (holds) scale_to_faces(step, axis, u);
-    if (step.force == nullptr) return;
-    each_row(rows_, [&](Row row) {
+    if (holds) scale_to_lines(axis, layers, u);
+}
+
+/// Puts the force back that begin_component has taken out.
+void Viscosity::end_component(const ViscousStep& step, std::size_t axis, Layers layers, Samples& u) const {
+    const Floats8 most = zero8 + max_coefficient(lattice_, step);
+    each_row(rows_, layers, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-            add_force(step, axis, 1, smaller(load(face_coefficients_.data() + i), most), i, u);
+            add_force(step, axis, 1, smaller(load(face_coefficients_[axis].data() + i), most), i, u);
     });
 }
 
@@ -441,19 +487,21 @@ void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign,
 
 /// Before a solve, converts the velocities of cut faces from the centre of the open part to the centre of the
 /// face. Saves those of dragged faces (whose centre lies in the solid or close to it) and sets them to 0.
-void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
-    const auto& dragged = dragged_[axis];
-    for (std::size_t i = 0; i < dragged.size(); ++i) {
-        dragged_speeds_[i] = u[dragged[i].at];
-        u[dragged[i].at] = 0;
+void Viscosity::scale_to_lines(std::size_t axis, Layers layers, Samples& u) {
+    const auto dragged = faces_in(dragged_[axis], lattice_, layers);
+    float* speed = dragged_speeds_[axis].data() + (dragged.data() - dragged_[axis].data());
+    for (const DraggedFace& face : dragged) {
+        *speed++ = u[face.at];
+        u[face.at] = 0;
     }
-    for (const ScaledFace& face : scaled_[axis]) u[face.at] *= face.factor;
+    for (const ScaledFace& face : faces_in(scaled_[axis], lattice_, layers)) u[face.at] *= face.factor;
 }
 
 /// After a solve, converts the velocities of cut faces back. Pulls those of dragged faces (whose centre lies
 /// in the solid or close to it) towards a profile that fits their neighbours.
 void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
+    auto& speeds = dragged_speeds_[axis];
     const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
     const Samples& nu = *step.viscosity;
     const auto factor = static_cast<float>(0.5 * step.dt / (lattice_.h * lattice_.h)) * drag_factor;
@@ -464,9 +512,9 @@ void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Sample
         for (std::size_t side = 0; side < 6; ++side) drawn += face.share[side] * u[face.from[side]];
         const float both = std::min(nu[face.at - across], thickest) + std::min(nu[face.at], thickest);
         const float drag = factor * both * face.nearer;
-        dragged_speeds_[i] = (dragged_speeds_[i] + drag * drawn) / (1 + drag);
+        speeds[i] = (speeds[i] + drag * drawn) / (1 + drag);
     }
-    for (std::size_t i = 0; i < dragged.size(); ++i) u[dragged[i].at] = dragged_speeds_[i];
+    for (std::size_t i = 0; i < dragged.size(); ++i) u[dragged[i].at] = speeds[i];
     for (const ScaledFace& face : scaled_[axis]) u[face.at] /= face.factor;
 }
 
@@ -477,35 +525,38 @@ Viscosity::OpenRange Viscosity::open_range(std::size_t axis, std::size_t across,
     return {{0, lattice_.cells[across]}, {0, lattice_.cells[slabs_along(lattice_, across).beside]}};
 }
 
-void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u) {
+/// Solves the lines of a component along one axis, in some slabs (layers of parallel lines).
+void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t across, Layers slabs, Samples& u,
+                      LineScratch& scratch) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const auto place = lattice_.stride[across], line = lattice_.stride[beside];
     Lines lines = lines_along(lattice_, step, axis, across);
     const bool ring = lines.edge == Edge::periodic;
     if (ring && lines.count == 1) return;
-    auto& [zeros, below, flux, to_wall, ends, firsts] = rows_of_lines_;
+    auto& [zeros, below, flux, to_wall, ends, firsts] = scratch.rows;
     const RowBuffers buffers{closed_.data(), zeros.data(),   below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
     const auto longest = static_cast<std::ptrdiff_t>(zeros.size());
-    const EliminationFactors left{upper_.data() + longest, corner_.data() + longest};
-    for (int o = 0; o < lattice_.cells[outer]; ++o) {
+    const EliminationFactors left{scratch.upper.data() + longest, scratch.corner.data() + longest};
+    for (int o = slabs.first; o < slabs.end; ++o) {
         const OpenRange open = open_range(axis, across, o);
         if (open.places.count == 0) continue;
         const auto first =
             lattice_.first + o * lattice_.stride[outer] + open.places.first * place + open.lines.first * line;
         float* values = u.data() + first;
-        const float* coefficients = face_coefficients_.data() + first;
+        const float* coefficients = face_coefficients_[axis].data() + first;
         const std::ptrdiff_t width = open.lines.count;
         lines.count = open.places.count;
         lines.pitch = round_up_to_8(width);
         if (solids_ != nullptr)
             lines.nearer = nearer_[axis][across].data() + open.lines.first +
                            (o * lattice_.cells[across] + open.places.first) * pitch;
-        lines.value = line == 1 ? values : value_.data();
-        lines.coefficient = line == 1 ? coefficients : coefficient_.data();
+        lines.value = line == 1 ? values : scratch.value.data();
+        lines.coefficient = line == 1 ? coefficients : scratch.coefficient.data();
         if (line != 1) {
             lines.row = lines.pitch;
-            turn_slab(values, coefficients, line, width, lines, value_.data(), coefficient_.data());
+            turn_slab(values, coefficients, line, width, lines, scratch.value.data(),
+                      scratch.coefficient.data());
         }
         // A uniform line must stay uniform to the bit. Rounding errors would give a flow in layers a velocity
         // across the layers, and even a little of a very viscous layer thickens all the fluid that it enters.
@@ -513,7 +564,7 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
         if (loose) subtract_first(lines, firsts.data());
         ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);
         if (loose) add_first(lines, firsts.data());
-        if (line != 1) transpose({value_.data(), lines.row}, {values, line}, lines.count, width);
+        if (line != 1) transpose({scratch.value.data(), lines.row}, {values, line}, lines.count, width);
     }
 }
 

@@ -27,6 +27,7 @@
 #include <limits>
 
 #include "fluid/detail/solids.h"
+#include "fluid/detail/split.h"
 
 namespace thaum::fluid {
 
@@ -81,7 +82,7 @@ public:
     /// `solids` and `solid` are null or empty without solids; `solids` must outlive this object.
     explicit Viscosity(const Lattice& lattice, const Solids* solids = nullptr, const SolidShare& solid = {});
     /// Applies one step to a velocity; its ghosts are not changed.
-    void diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity);
+    void diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity, Team& team);
 
 private:
     /// Ranges of a slab (layer of parallel lines) outside of which all places are in solids: the range of
@@ -90,12 +91,22 @@ private:
         CellRange places, lines;
     };
 
-    void component(const ViscousStep& step, std::size_t axis, Samples& u);
-    void along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u);
+    void begin_component(const ViscousStep& step, std::size_t axis, Layers layers, Samples& u);
+    void end_component(const ViscousStep& step, std::size_t axis, Layers layers, Samples& u) const;
+    /// Arrays for the lines of one slab, which one thread solves.
+    struct LineScratch {
+        // Arrays of parallel lines, [place along a line][line]. Lines along x need all four, since they are
+        // transposed first; others need only upper and corner, which begin with a row of zeros.
+        std::vector<float> value, coefficient, upper, corner;
+        /// Rows with one value for each of the parallel lines that are solved together.
+        std::array<std::vector<float>, 6> rows;
+    };
+    void along(const ViscousStep& step, std::size_t axis, std::size_t across, Layers slabs, Samples& u,
+               LineScratch& scratch);
 
     static void add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u);
-    void scale_to_lines(std::size_t axis, Samples& u);
+    void scale_to_lines(std::size_t axis, Layers layers, Samples& u);
     void scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u);
 
     vec3 position_of(std::size_t axis, std::size_t at) const;
@@ -112,7 +123,7 @@ private:
     std::array<Samples, 3> on_lines_;
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
-    std::vector<float> dragged_speeds_;  ///< velocities of the dragged faces
+    std::array<std::vector<float>, 3> dragged_speeds_;  ///< velocities of the dragged faces
     /// h divided by the distance from an open place to the wall, for each link that a wall cuts, by component
     /// and direction, [slab][place][line]; 1 for the others. The link joins the place to the next one. Empty
     /// if there are no solids.
@@ -120,12 +131,9 @@ private:
     /// For each component, direction and slab (layer of parallel lines), the range outside of which all
     /// places are in solids.
     std::array<std::array<std::vector<OpenRange>, 3>, 3> open_ranges_;
-    Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
-    // Arrays of parallel lines, [place along a line][line]. Lines along x need all four, since they are
-    // transposed first; others need only upper_ and corner_, which begin with a row of zeros.
-    std::vector<float> value_, coefficient_, upper_, corner_;
-    // Scratch memory: rows with one value for each of the parallel lines that are solved together.
-    std::array<std::vector<float>, 6> rows_of_lines_;
+    /// dt nu / (passes h^2) at each face of a component; below 0 on closed faces.
+    std::array<Samples, 3> face_coefficients_;
+    std::array<LineScratch, Team::max_threads> scratch_;  ///< by the seat of the thread
     std::vector<float> closed_;
 };
 

@@ -44,7 +44,7 @@ void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     }
     for (const CutFace& face : solids_->cut_faces(axis))
         if (!(on_line[face.at] > 0)) dragged_[axis].push_back(dragged_face(solid, axis, face));
-    dragged_speeds_.resize(std::max(dragged_speeds_.size(), dragged_[axis].size()));
+    dragged_speeds_[axis].resize(dragged_[axis].size());
 }
 
 /// Describes a cut face that is dragged. Its neighbours' weights are those of a least-squares fit of a
