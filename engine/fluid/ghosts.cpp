@@ -80,11 +80,16 @@ void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
     for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < round_up_to_8(lattice.cells[0]); ++i) row[i] = 0;
 }
 
-/// Fills the ghosts at both ends of a row between walls, which has more cells than ghosts.
+/// Fills the ghosts at both ends of a row that has more cells than ghosts.
 [[gnu::always_inline]] inline void fill_ends(const Lattice& lattice, GhostRule rule, int depth, float* row) {
     const std::ptrdiff_t n = lattice.cells[0];
     float* const end = row + n;
-    if (rule == GhostRule::through_wall) {
+    if (lattice.edges[0] == Edge::periodic) {
+        for (int layer = 1; layer <= depth; ++layer) {
+            row[-layer] = end[-layer];
+            end[layer - 1] = row[layer - 1];
+        }
+    } else if (rule == GhostRule::through_wall) {
         row[0] = end[0] = 0;
         for (int layer = 1; layer <= depth; ++layer) row[-layer] = -row[layer];
         for (int layer = 1; layer <= std::min(depth, ghosts - 1); ++layer) end[layer] = -end[-layer];
@@ -98,9 +103,7 @@ void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
     for (std::ptrdiff_t i = n + ghosts; i < round_up_to_8(n); ++i) row[i] = 0;
 }
 
-bool has_simple_ends(const Lattice& lattice) {
-    return lattice.edges[0] != Edge::periodic && lattice.cells[0] > ghosts;
-}
+bool has_simple_ends(const Lattice& lattice) { return lattice.cells[0] > ghosts; }
 
 /// Calls `visit` with the start of each lattice row in `layers` whose ghosts across x mirror fluid.
 template <class Visit>

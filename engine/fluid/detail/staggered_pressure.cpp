@@ -1,13 +1,31 @@
 // The pressure in a box without solids, which is solved directly.
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "fluid/detail/pressure.h"
 #include "fluid/detail/staggered.h"
+#include "fluid/floats8.h"
 #include "fluid/ghosts.h"
 
 namespace thaum::fluid {
+namespace {
+
+/// Largest magnitude of some numbers, in which NaNs do not count.
+double largest_of(std::span<const float> numbers) {
+    Floats8 most{};
+    const auto add = [&most](const Floats8& values) {
+        most = larger(values < zero8 ? -values : values, most);
+    };
+    std::size_t i = 0;
+    for (; i + 8 <= numbers.size(); i += 8) add(load(numbers.data() + i));
+    for (; i < numbers.size(); ++i) add(Floats8{numbers[i]});
+    double result = 0;
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
+        result = std::max(result, static_cast<double>(most[lane]));
+    return result;
+}
+
+}  // namespace
 
 /// Sets potential_, and its ghosts, to the potential whose gradient has the divergence of the velocity.
 void StaggeredSolver::solve_pressure(const Velocity& velocity) {
@@ -53,8 +71,8 @@ double StaggeredSolver::largest_divergence(const Velocity& velocity) {
         double& found = most[static_cast<std::size_t>(slice)];
         for (int k = split[slice].first; k < split[slice].end; ++k) {
             divergence(lattice_, {k, k + 1}, order_, velocity, packed_);
-            for (const float d : std::span(packed_).subspan(static_cast<std::size_t>(k) * of_layer, of_layer))
-                found = std::max(found, static_cast<double>(std::abs(d)));
+            const auto layer = std::span(packed_).subspan(static_cast<std::size_t>(k) * of_layer, of_layer);
+            found = std::max(found, largest_of(layer));
         }
     });
     return *std::max_element(most.begin(), most.begin() + split.slices);
