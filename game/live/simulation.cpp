@@ -4,6 +4,7 @@
 
 #include "core/tell_user.h"
 #include "core/text.h"
+#include "core/threads.h"
 #include "game/bots/bot.h"
 #include "game/casting/free_casting.h"
 #include "game/live/arm_pace.h"
@@ -118,6 +119,10 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
     return true;
 }
 
+/// Number of job threads of a match in real time. A second one shares the steps of the brew where the threads
+/// of simulation, arms, picture and sound leave it a processor.
+unsigned brew_threads() { return processors() >= 6 ? 2 : 1; }
+
 bool start_round(SimulationThread& s, MatchStart start) {
     s.shared.requests.forget();
     s.shared.progress.drawn_number = 0;
@@ -129,8 +134,9 @@ bool start_round(SimulationThread& s, MatchStart start) {
         start_practice(s, std::move(*files), start);
     } else {
         show_scene(s.shared, start.data);
-        MatchSetup setup{
-            .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1};
+        MatchSetup setup{.seed = start.seed,
+                         .devices = devices_of(s.shared.seats, s.shared.arms),
+                         .workers = brew_threads()};
         // own gestures that do not suit the data are left out, as from the log's header
         (void)use_profile(*start.data, std::move(start.profile), setup);
         s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));

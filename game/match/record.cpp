@@ -2,6 +2,7 @@
 
 #include "core/one_line.h"
 #include "core/text.h"
+#include "core/threads.h"
 #include "game/match/kind_tables.h"
 #include "game/match/own_gestures.h"
 #include "physics/bullet_build.h"
@@ -124,7 +125,8 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
         if (const auto other = kind_difference(header.kinds, kind_tables(*data)); !other.empty())
             return fail(other);
     }
-    MatchSetup setup{.seed = header.seed, .devices = header.devices};
+    // A thread of its own computes the brew while the ticks go on.
+    MatchSetup setup{.seed = header.seed, .devices = header.devices, .workers = processors() > 1 ? 1U : 0U};
     if (auto used = use_profile(*data, header.profile, setup); !used) return used.error();
     return std::make_unique<Simulation>(std::make_shared<const MatchData>(std::move(*data)),
                                         std::move(setup));

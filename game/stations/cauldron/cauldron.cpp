@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/assert.h"
+#include "core/threads.h"
 #include "game/brew/brew_state.h"
 
 namespace thaum::game::inline stations {
@@ -101,11 +102,20 @@ void begin_step(const MatchData& data, BrewSolver& solver, Cauldron& cauldron) {
     cauldron.step_running = 1;
     work.viscosity = rules.viscosity;
     work.density = changes.density;
+    work.team.open();
     solver.jobs.run(work.step);
+    if (solver.jobs.threads() > 1 && processors() > 1) solver.jobs.run(work.help);
+}
+
+/// Waits until the fluid step has ended, and helps with it meanwhile if there is a processor for that.
+void wait_for_step(BrewWork& work) {
+    if (!work.step.ended() && processors() > 1) work.team.help();
+    work.step.wait();
+    work.help.wait();
 }
 
 void end_step(ecs::World& world, BrewWork& work, Cauldron& cauldron, Tick tick) {
-    work.step.wait();
+    wait_for_step(work);
     cauldron.step_running = 0;
     cauldron.newest ^= 1U;
     cauldron.stepped = tick;
@@ -166,19 +176,21 @@ std::unique_ptr<BrewWork> make_work(const MatchData& data) {
     auto basin = basin_of(data.arena.bowl->size, data.cauldron->filled);
     auto brew = make_brew(*data.cauldron, basin);
     THAUM_ASSERT(brew, brew.error().message);
-    auto work =
-        std::make_unique<BrewWork>(BrewWork{.brew = std::move(*brew), .basin = std::move(basin), .wet = {}});
+    std::unique_ptr<BrewWork> work(
+        new BrewWork{.brew = std::move(*brew), .basin = std::move(basin), .wet = {}});
     work->wet = wet_cells(work->brew, work->basin);
     work->step = Jobs::prepare([&brew_work = *work] {
-        brew_work.report = fluid::advance(brew_work.brew.fluid, fluid_dt);
+        brew_work.report = fluid::advance(brew_work.brew.fluid, fluid_dt, &brew_work.team);
+        brew_work.team.close();
         brew_work.figures = figures_of(brew_work);
     });
+    work->help = Jobs::prepare([&team = work->team] { team.help(); });
     return work;
 }
 
 /// Waits for the running step, then frees the solver's memory.
 void drop_work(BrewSolver& solver) {
-    if (solver.work) solver.work->step.wait();
+    if (solver.work) wait_for_step(*solver.work);
     solver.work.reset();
 }
 

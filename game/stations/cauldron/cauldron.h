@@ -7,11 +7,13 @@
 //
 // A step uses the strokes (pushes of the brew, and ingredients) that were queued before it began. Its result
 // is the samples of the fluid and averages over them (figures). It is read exactly 16 ticks later, whichever
-// thread computed it. A brew at rest without strokes costs nothing.
+// threads computed it: another job thread shares the step's loops if it is free, and so does the match's own
+// thread if it comes to the result too early. A brew at rest without strokes costs nothing.
 #pragma once
 #include <memory>
 
 #include "core/jobs.h"
+#include "core/team.h"
 #include "game/brew/brew.h"
 #include "game/components/cauldron.h"
 #include "game/context/match_context.h"
@@ -40,7 +42,9 @@ struct BrewWork {
     double viscosity{}, density{1};
     fluid::StepReport report{};
     BrewFigures figures{};
+    Team team{};          ///< threads that share the loops of the fluid step
     Jobs::Ticket step{};  ///< the fluid step, prepared once and submitted for each step
+    Jobs::Ticket help{};  ///< help of another job thread with the step
 };
 
 /// Solver of a match's brew. The simulation owns it.
