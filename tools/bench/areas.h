@@ -56,6 +56,8 @@ void scan_pictures(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
 /// Part of the area (group of benchmarks) `fluid`: a hand in the fluid.
 void fluid_hand(const Options& options, Report& report);
+/// Part of the area (group of benchmarks) `fluid`: steps that two threads share.
+void fluid_team(const Options& options, Report& report);
 /// Part of the area (group of benchmarks) `fluid`: curved walls, and layers of viscosity.
 void fluid_walls(const Options& options, Report& report);
 /// Long stress test of the area (group of benchmarks) `fluid`.

@@ -481,6 +481,7 @@ void fluid(const Options& options, Report& report) {
     weighings(options, report);
     fluid_walls(options, report);
     cauldron(options, report);
+    fluid_team(options, report);
     rest(options, report);
     hostile(options, report);
     fluid_hand(options, report);
