@@ -7,15 +7,19 @@
 namespace thaum {
 namespace {
 
-// Parts of Team::work_, from the lowest bit on: whether the team is open, number of slices, next slice,
-// number of the loop.
+// Parts of Team::work_, from the lowest bit on: whether the team is open, number of slices, numbers of slices
+// taken from the front and from the back, number of the loop.
 constexpr std::uint64_t open_bit = 1;
-constexpr int slices_at = 1, next_at = 16, loop_at = 32;
-constexpr std::uint64_t next_slice = std::uint64_t{1} << next_at;
+constexpr int slices_at = 1, front_at = 11, back_at = 21, loop_at = 31;
+constexpr std::uint64_t one_in_front = std::uint64_t{1} << front_at;
+constexpr std::uint64_t one_behind = std::uint64_t{1} << back_at;
 constexpr std::uint64_t next_loop = std::uint64_t{1} << loop_at;
 
-int slices_of(std::uint64_t work) { return static_cast<int>(work >> slices_at & (Team::max_slices - 1)); }
-int next_of(std::uint64_t work) { return static_cast<int>(work >> next_at & 0xffff); }
+int part_of(std::uint64_t work, int at) { return static_cast<int>(work >> at & Team::max_slices); }
+int slices_of(std::uint64_t work) { return part_of(work, slices_at); }
+int front_of(std::uint64_t work) { return part_of(work, front_at); }
+int back_of(std::uint64_t work) { return part_of(work, back_at); }
+bool all_taken(std::uint64_t work) { return front_of(work) + back_of(work) >= slices_of(work); }
 bool is_open(std::uint64_t work) { return (work & open_bit) != 0; }
 
 /// Number of looks for new slices after which a helper sleeps, about 100 us; and after which a leader that
@@ -51,12 +55,12 @@ unsigned Team::sit_down() {
     return 0;
 }
 
-/// Does one slice of the loop that the helper has seen. False if all are taken, or if another loop has begun;
-/// then `seen` is the present state.
+/// Does one slice of the loop that the helper has seen, the last that is left. False if all are taken, or if
+/// another loop has begun; then `seen` is the present state.
 bool Team::take(std::uint64_t& seen, unsigned seat) {
-    if (next_of(seen) >= slices_of(seen)) return false;
-    if (!work_.compare_exchange_weak(seen, seen + next_slice, std::memory_order_acquire)) return false;
-    loop_.call(loop_.body, next_of(seen), seat);
+    if (all_taken(seen)) return false;
+    if (!work_.compare_exchange_weak(seen, seen + one_behind, std::memory_order_acquire)) return false;
+    loop_.call(loop_.body, slices_of(seen) - 1 - back_of(seen), seat);
     done_.fetch_add(1, std::memory_order_release);
     return true;
 }
@@ -79,14 +83,14 @@ void Team::help() {
     while (is_open(seen)) {
         if (take(seen, seat))
             seen = work_.load(std::memory_order_acquire);
-        else if (next_of(seen) >= slices_of(seen))
+        else if (all_taken(seen))
             seen = wait_for_change(seen);
     }
     seats_.fetch_and(~(1U << seat), std::memory_order_release);
 }
 
 void Team::run(int slices, const Loop& loop) {
-    THAUM_ASSERT(slices < max_slices, "a loop is divided into too many slices");
+    THAUM_ASSERT(slices <= max_slices, "a loop is divided into too many slices");
     loop_ = loop;
     done_.store(0, std::memory_order_relaxed);
     const std::uint64_t before = work_.load(std::memory_order_relaxed);
@@ -94,11 +98,11 @@ void Team::run(int slices, const Loop& loop) {
                                 static_cast<std::uint64_t>(slices) << slices_at | (before & open_bit);
     work_.store(begun, std::memory_order_release);
     work_.notify_all();
-    for (;;) {
-        const int slice = next_of(work_.fetch_add(next_slice, std::memory_order_relaxed));
-        if (slice >= slices) break;
-        loop.call(loop.body, slice, 0);
+    for (std::uint64_t seen = begun; !all_taken(seen);) {
+        if (!work_.compare_exchange_weak(seen, seen + one_in_front, std::memory_order_relaxed)) continue;
+        loop.call(loop.body, front_of(seen), 0);
         done_.fetch_add(1, std::memory_order_relaxed);
+        seen = work_.load(std::memory_order_relaxed);
     }
     for (int i = 0; done_.load(std::memory_order_acquire) < slices; ++i)
         i < looks ? pause() : std::this_thread::yield();

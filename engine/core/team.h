@@ -6,8 +6,11 @@
 // else takes.
 //
 //     leader    open ── each(8) ─────────── each(8) ──────── close
-//                        0 1 3 5 7           0 2 3 5 6
-//     helper      help ─ 2 4 6 ───(spins)──  1 4 7 ────────── returns
+//                        0 1 2 3             0 1 2 3 4
+//     helper      help ─ 7 6 5 4 ─(spins)──  7 6 5 ────────── returns
+//
+// The leader takes slices from the front, helpers from the back. So if slices of different loops use the same
+// memory, it mostly stays in the cache of one processor.
 //
 // Which thread does a slice is not defined. So that results do not depend on it, a slice must not read what
 // another slice of the same loop writes, and sums over slices must be taken by the leader in a fixed order.
@@ -23,7 +26,7 @@ namespace thaum {
 class Team {
 public:
     static constexpr unsigned max_threads = 4;  ///< largest number of threads that work at once
-    static constexpr int max_slices = 1 << 15;  ///< largest number of slices of a loop
+    static constexpr int max_slices = 1023;     ///< largest number of slices of a loop
 
     Team() = default;
     Team(const Team&) = delete;
@@ -68,7 +71,7 @@ private:
     std::uint64_t wait_for_change(std::uint64_t seen) const;
     unsigned sit_down();
 
-    /// Number of the loop, its next slice, its number of slices, and whether the team is open (team.cpp). One
+    /// Number of the loop, how many of its slices are taken, and whether the team is open (team.cpp). One
     /// word, so that a helper that is late cannot take a slice of another loop than it believes.
     alignas(64) std::atomic<std::uint64_t> work_{0};
     Loop loop_{};                                 ///< written by the leader while no slice can be taken

@@ -410,8 +410,8 @@ void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocit
     const auto each = [&](int number, auto&& solve) {
         const Split split(team, number, 8);
         team.each(3 * split.slices, [&](int slice, unsigned seat) {
-            const auto axis = static_cast<std::size_t>(slice / split.slices);
-            solve(axis, split[slice % split.slices], velocity[axis], scratch_[seat]);
+            const auto axis = static_cast<std::size_t>(slice % 3);
+            solve(axis, split[slice / 3], velocity[axis], scratch_[seat]);
         });
     };
     const int layers = lattice_.cells[2], levels = lattice_.cells[1];
