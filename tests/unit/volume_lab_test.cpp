@@ -464,8 +464,9 @@ TEST(BodyFeel, GoesByThePicturesOpacity) {
     EXPECT_EQ(inside(0), std::pair(0.0, 0.0)) << "what cannot be seen is not felt in this way";
 }
 
-/// A ball appears around a hand, which first goes in and then out. In the middle of the ball it feels nothing.
-/// Near the edge the way in costs more than the springs hold then, and the way out must not give it twice.
+/// A ball appears around a hand, which first goes in and then out. In the middle of the ball it feels
+/// nothing. Near the edge the way in costs more than the springs hold then, and the way out must not give it
+/// twice.
 TEST(BodyFeel, ABallThatAppearsAroundAHandGivesItLittleAsItLeaves) {
     struct Case {
         const char* device;
