@@ -2,8 +2,6 @@
 
 #include <thread>
 
-#include "core/assert.h"
-
 namespace thaum {
 namespace {
 
@@ -55,10 +53,9 @@ unsigned Team::sit_down() {
     return 0;
 }
 
-/// Does one slice of the loop that the helper has seen, the last that is left. False if all are taken, or if
-/// another loop has begun; then `seen` is the present state.
+/// Does one slice of the loop that the helper has seen, the last that is left. False if something has changed
+/// meanwhile; then `seen` is the present state.
 bool Team::take(std::uint64_t& seen, unsigned seat) {
-    if (all_taken(seen)) return false;
     if (!work_.compare_exchange_weak(seen, seen + one_behind, std::memory_order_acquire)) return false;
     loop_.call(loop_.body, slices_of(seen) - 1 - back_of(seen), seat);
     done_.fetch_add(1, std::memory_order_release);
@@ -80,17 +77,18 @@ void Team::help() {
     if (!is_open(seen)) return;
     const unsigned seat = sit_down();
     if (seat == 0) return;
+    // A failed attempt to take a slice also changes `seen`, so each change is followed by the test for an open
+    // team: a helper that waited in a closed team would not be woken.
     while (is_open(seen)) {
-        if (take(seen, seat))
-            seen = work_.load(std::memory_order_acquire);
-        else if (all_taken(seen))
+        if (all_taken(seen))
             seen = wait_for_change(seen);
+        else if (take(seen, seat))
+            seen = work_.load(std::memory_order_acquire);
     }
     seats_.fetch_and(~(1U << seat), std::memory_order_release);
 }
 
 void Team::run(int slices, const Loop& loop) {
-    THAUM_ASSERT(slices <= max_slices, "a loop is divided into too many slices");
     loop_ = loop;
     done_.store(0, std::memory_order_relaxed);
     const std::uint64_t before = work_.load(std::memory_order_relaxed);

@@ -2,8 +2,8 @@
 //
 // One thread, the leader, does the computation. Where it comes to a long loop, it divides the loop into
 // slices and calls `each`. Other threads may help: between `open` and `close` they take slices of every such
-// loop. Nobody is waited for: a slice goes to whoever asks for it first, and the leader does what nobody
-// else takes.
+// loop. The leader waits for nobody to come: a slice goes to whoever asks for it first, and the leader does
+// what nobody else takes. It waits only for slices that helpers have begun.
 //
 //     leader    open ── each(8) ─────────── each(8) ──────── close
 //                        0 1 2 3             0 1 2 3 4
@@ -20,6 +20,8 @@
 #include <memory>
 #include <type_traits>
 
+#include "core/assert.h"
+
 namespace thaum {
 
 /// Threads that share the loops of one computation. The leader calls `each`, other threads call `help`.
@@ -34,7 +36,8 @@ public:
 
     /// Lets helpers in. May be called by another thread than the leader, before the leader begins.
     void open();
-    /// Sends the helpers away. The leader calls it after its last loop.
+    /// Sends the helpers away. The leader calls it after its last loop. Helpers may still be in `help` when it
+    /// returns, so the team must outlive their calls.
     void close();
 
     /// Takes slices of the leader's loops until `close`. Returns at once if the team is not open or has
@@ -45,11 +48,12 @@ public:
     bool has_helpers() const { return seats_.load(std::memory_order_relaxed) != 0; }
 
     /// Calls body(slice, seat) once for each slice from 0 to slices - 1, and returns when all have ended.
-    /// Only the leader calls it. `seat` is below max_threads and differs between threads that work at the
+    /// Only the leader calls it. The body must not throw, nor call `each` of the same team. `seat` is below max_threads and differs between threads that work at the
     /// same time, so that each can have scratch memory of its own. Without helpers, the slices are done in
     /// order.
     template <class Body>
     void each(int slices, Body&& body) {
+        THAUM_ASSERT(slices <= max_slices, "a loop is divided into too many slices");
         if (!has_helpers() || slices < 2) {
             for (int slice = 0; slice < slices; ++slice) body(slice, 0U);
             return;

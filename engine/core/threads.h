@@ -1,5 +1,5 @@
 // core/threads.h: starts a thread, or reports why the system refuses one (a process limit, no memory for its
-// stack).
+// stack); number of processors.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -27,7 +27,7 @@ private:
     bool used_ = false;
 };
 
-/// Number of processors on which this process may run, at least 1.
+/// Number of processors on which the calling thread may run, at least 1.
 unsigned processors() noexcept;
 
 /// Runs `body` in a new thread that has a FaultStack. The thread's destructor waits until `body` returns. The

@@ -16,8 +16,8 @@ constexpr int fewest_blocks = 4;
 /// Smallest ratio of the widest to the finest spacing at which the slices of a scan count as coarse steps.
 constexpr double far_apart = 2;
 /// Smallest result of steadiness() at which slices that are far apart make no coarse steps. Slices that each
-/// average their whole thickness, as those of most scans do, have 0.31 on a level surface and more on others;
-/// those of a mask have 0.
+/// average their whole thickness, as those of most scans do, have 0.31 on a level surface and more on others,
+/// but less on sheets thinner than two slices; those of a mask have 0.
 constexpr double steady = 0.28;
 /// Edge of a block if slices make coarse steps or samples have few values, as a multiple of the widest
 /// distance between samples.

@@ -64,9 +64,11 @@ inline Samples make_samples(const Lattice& lattice) { return Samples(lattice.siz
 struct Layers {
     int first{}, end{};
 
+    /// Whether the layer is one of these.
     bool contains(int layer) const { return layer >= first && layer < end; }
 };
 
+/// All layers of a lattice but its ghosts.
 inline Layers all_layers(const Lattice& lattice) { return {0, lattice.cells[2]}; }
 
 /// Calls `visit` with the index of the first cell of each row along x, in one, some or all layers.

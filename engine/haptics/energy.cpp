@@ -125,8 +125,9 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
 double fade_energy(const PassivityObserver& observer, double pending) {
     // The springs may still give their reserve to the hand, so it counts as given. Energy that they received
     // since the last switch does not raise the fading offset's work above `switch_energy`.
+    const double reserve = observer.held_back == HeldBack::by_energy ? observer.reserve : 0;
     const double passive =
-        reserve_energy + switch_energy - (observer.created + observer.reserve) - std::max(0.0, pending);
+        reserve_energy + switch_energy - (observer.created + reserve) - std::max(0.0, pending);
     const double active =
         switch_energy * (active_budget - observer.active_work) / (fading_share * active_budget);
     return std::clamp(std::min(passive, active), 0.0, switch_energy);
@@ -145,9 +146,10 @@ double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, 
 
 void hold_back(PassivityObserver& observer) {
     const double running = observer.held_back == HeldBack::by_energy ? observer.reserve : 0;
+    const double work = observer.held_back != HeldBack::no ? observer.work_reserve : 0;
     observer.held_back = HeldBack::by_energy;
     observer.reserve = std::max(running, reserve_energy - observer.created);
-    observer.work_reserve = observer.reserve;
+    observer.work_reserve = std::max(work, observer.reserve);
 }
 
 void forgive(PassivityObserver& observer, bool springs_pull) {
@@ -160,7 +162,7 @@ void forgive(PassivityObserver& observer, bool springs_pull) {
 
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness) {
     if (observer.held_back == HeldBack::no || !(stiffness > 0)) return;
-    if (observer.held_back == HeldBack::by_work && springs.may_lie_ahead) return;
+    if (observer.held_back == HeldBack::by_work && springs.from_field) return;
     // The force lags the hand by a tick. So a spring of the device's stiffness receives a little less than it
     // holds: less by its force times the motion of a tick.
     constexpr double nearly = 0.8, settled = 1e-6;
@@ -303,6 +305,7 @@ double limit_to_reserve(const Servo& servo, const ServoState& state, double pull
     const vec3 way = pull > 0 ? sources.springs / pull : vec3(0);
     double most = force_of_reserve(state.energy, glm::dot(step, way),
                                    pending_work(state.energy, step, servo.latency), servo.max_stiffness);
+    if (state.energy.held_back == HeldBack::by_work && !(pull > most)) return most;
     if (!may_jump) {
         const double relaxed = servo.max_stiffness * glm::dot(moved, way), last = state.energy.spring_force;
         most = std::clamp(most, std::min(last, servo.limits.cap) - fall - std::max(0.0, relaxed),
@@ -378,7 +381,7 @@ EnergyLimits limits_after_switch(const Servo& servo, ServoState& state, const Ti
                                    pending_work(energy, moved, servo.latency), servo.max_stiffness);
     if (energy.held_back == HeldBack::no) return limits;
     const bool by_work = energy.held_back == HeldBack::by_work;
-    const bool may_jump = may_give || energy.unsettled != 0 || by_work;
+    const bool may_jump = may_give || energy.unsettled != 0;
     const double fall = reserve_step + limits.change - steady_change;
     limits.reserve_force = limit_to_reserve(servo, state, springs.pull, may_jump, fall, moved, sources);
     if (!by_work) forgive(energy, springs.pull > 0);
@@ -405,9 +408,11 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     sources.active = within_budget(state.energy, sources.active);
     if (may_give && servo.max_stiffness > 0) hold_back(state.energy);
+    const bool from_field = model.primitives.by_proxy();
     const HeldSprings pulling{.energy = stored - fluid.stored,
                               .pull = glm::length(sources.springs),
-                              .may_lie_ahead = model.primitives.by_proxy() && conservative(model.primitives)};
+                              .from_field = from_field,
+                              .may_lie_ahead = from_field && conservative(model.primitives)};
     EnergyLimits limits = limits_after_switch(servo, state, tip, may_give, pulling, sources);
     state.energy.spring_force = std::min(pulling.pull, limits.reserve_force);
     // What a field holds beyond the coupling may have been there before the hand came. The reserve limits it,

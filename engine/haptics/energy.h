@@ -18,9 +18,10 @@
 //
 // A field of forces (haptic modes) may hold more energy than is seen where the hand is. Example: a body of
 // even density appears around the hand. The hand feels nothing in its midst, but is pushed out as soon as it
-// moves to the body's edge. So the reserve of springs that are chosen from a field does not end before the
-// next switch. Once they hold no more than they received, it counts all the work that the hand does on them:
-// from the switch on, they give no more than this work and the reserve of the beginning.
+// moves to the body's edge. So the reserve of springs that are chosen from a field does not end while there
+// are such springs. Once they hold no more than they received, it counts all the work that the hand has done
+// since the first switch, also against drag: they give no more than this work and the reserve of the
+// beginning.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
@@ -165,8 +166,8 @@ inline constexpr double max_slow_creation = 0.019;
 double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, double pending,
                       double stiffness);
 
-/// Begins a reserve, the energy that springs may still give after a switch. A reserve that is already running
-/// is not reduced.
+/// Begins a reserve, the energy that springs may still give after a switch. A reserve by energy that is already
+/// running is not reduced. One by work waits until the springs hold no more than they received.
 void hold_back(PassivityObserver& observer);
 
 /// Forgets a part of the created energy, which passive sources gave in excess, in a tick while springs are
@@ -176,10 +177,11 @@ void forgive(PassivityObserver& observer, bool springs_pull);
 
 /// Energy and force of the springs after a switch (a jump of the force), when they may hold too much energy.
 struct HeldSprings {
-    double energy{};  ///< energy that the springs hold (J)
-    double pull{};    ///< length of the springs' force (N)
-    /// The springs are chosen from a field. They may push as soon as the hand moves, even if they do not pull
-    /// now, as within a body of even density.
+    double energy{};    ///< energy that the springs hold (J)
+    double pull{};      ///< length of the springs' force (N)
+    bool from_field{};  ///< the springs are chosen from a field (by haptic modes)
+    /// The springs may push as soon as the hand moves, even if they do not pull now, as within a body of even
+    /// density.
     bool may_lie_ahead{};
 };
 

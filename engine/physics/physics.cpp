@@ -281,15 +281,15 @@ void Physics::Impl::collect_contacts() {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (manifold.getNumContacts() == 0) continue;
         const bool before = std::ranges::binary_search(touching, pair_of(manifold));
-        if (before && !active(manifold)) {
-            touching_next.push_back(pair_of(manifold));
-            continue;
+        Contact contact{};
+        const bool asleep = before && !active(manifold);
+        if (!asleep) {
+            contact = contact_of(manifold);
+            if (!before && contact.impulse <= 0) continue;
         }
-        Contact contact = contact_of(manifold);
-        if (!before && contact.impulse <= 0) continue;
         THAUM_ASSERT(touching_next.size() < settings.max_contacts,
                      "more touching pairs than Settings.max_contacts; raise it");
-        touching_next.push_back({contact.a, contact.b});
+        touching_next.push_back(pair_of(manifold));
         contact.began = !before;
         if (contact.impulse > 0 && active(manifold)) contacts.push_back(contact);
     }

@@ -194,6 +194,16 @@ TEST_F(Asleep, AMovedSupportLetsFall) {
     EXPECT_NEAR(physics.state(3).position.y, 0.3, 0.01);
 }
 
+/// The bounding box of a body at rest is not computed again until the body is moved.
+TEST_F(Asleep, AMovedWallStopsWhatMeetsIt) {
+    physics.add(8, box({0.2, 1, 1}, 0), at({40, 1, 0}));
+    run(physics, 10);
+    physics.set_state(8, at({20, 1, 0}));
+    physics.add(9, ball(0.2, 5), at({18, 1, 0}, {10, 0, 0}));
+    run(physics, 500);
+    EXPECT_LT(physics.state(9).position.x, 19.7);
+}
+
 TEST_F(Asleep, ANewBodyWakesWhatItHits) {
     physics.add(9, ball(0.2, 5), at({0, 2.2, 0}));
     run(physics, 600);

@@ -27,6 +27,14 @@ inline void copy_part(const void* from, void* to, std::size_t count) {
     copy_bit<1>(in, out, count);
 }
 
+/// Reads eight values, or only the first `left` of them and zeros if the row ends after so many samples.
+inline Floats8 load_within_row(const float* from, std::ptrdiff_t left) {
+    if (left >= 8) return load(from);
+    Floats8 values{};
+    copy_part(from, &values, static_cast<std::size_t>(left));
+    return values;
+}
+
 /// Writes eight values, or only the first `left` of them if the row ends after so many samples.
 inline void store_within_row(float* to, const Floats8& values, std::ptrdiff_t left) {
     if (left >= 8) {

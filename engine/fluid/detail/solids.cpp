@@ -221,7 +221,8 @@ void Solids::smooth_in(Layers layers) {
             // subtracted.
             const Floats8 d = load(diagonal_.data() + row.at + i);
             const Floats8 residual = load(residual_.data() + row.at + i);
-            const Floats8 both = load(own_.data() + row.at + i) * residual - load(found + i);
+            const Floats8 both =
+                load(own_.data() + row.at + i) * residual - load_within_row(found + i, row.count - i);
             const Floats8 smoothed = d > zero8 ? both : zero8;
             store(smoothed_.data() + row.at + i, smoothed);
             by_residual += d > zero8 ? smoothed * residual : zero8;

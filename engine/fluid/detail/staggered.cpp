@@ -544,6 +544,7 @@ StepReport StaggeredSolver::step(const Settings& settings, State& state, double 
     if (!solids_) clear_divergence(settings, state, report);
     if (report.speed > 0) report.divergence *= lattice_.h / report.speed;
     if (report.speed < rest_speed) come_to_rest(settings, state, dt, report.speed);
+    team_ = &alone_;
     return report;
 }
 

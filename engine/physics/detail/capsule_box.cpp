@@ -54,7 +54,9 @@ double nearest_place(vec3 centre, vec3 half, vec3 box_half) {
     std::array<double, 8> room;
     double place = -1, lowest = 1, highest = -1, before = 0;
     for (const double t : pieces(centre, half, box_half, room)) {
-        const double here = slope(centre, half, box_half, t);
+        double here = slope(centre, half, box_half, t);
+        // A point on the plane of a face may lie beyond it by rounding.
+        if (std::abs(here) < parallel * glm::length(half)) here = 0;
         if (t > place && before < 0 && here > 0) return crossing(place, before, t, here);
         if (here >= 0) lowest = std::min(lowest, t);
         if (here <= 0) highest = t;
