@@ -166,8 +166,8 @@ inline constexpr double max_slow_creation = 0.019;
 double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, double pending,
                       double stiffness);
 
-/// Begins a reserve, the energy that springs may still give after a switch. A reserve by energy that is already
-/// running is not reduced. One by work waits until the springs hold no more than they received.
+/// Begins a reserve, the energy that springs may still give after a switch. A reserve by energy that is
+/// already running is not reduced. One by work waits until the springs hold no more than they received.
 void hold_back(PassivityObserver& observer);
 
 /// Forgets a part of the created energy, which passive sources gave in excess, in a tick while springs are
