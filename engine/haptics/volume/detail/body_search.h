@@ -4,8 +4,8 @@
 // The place of the surface comes from the samples that are drawn, linear between them (the drawn surface). So
 // sheets of one sample are felt too. The direction of the surface comes from a smoothed field, whose own
 // surface is the smooth surface (haptics/volume/smooth_grid.h). Averages of blocks of samples give a less
-// rough direction, where the box has them and both directions nearly agree; near the border of the box only if
-// slices make coarse steps. A field that no picture shows, such as a filtered one, gives both place and
+// rough direction, where the box has them and both directions nearly agree; near the border of the box only
+// if slices make coarse steps. A field that no picture shows, such as a filtered one, gives both place and
 // direction.
 //
 // Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the
