@@ -48,9 +48,9 @@ public:
     bool has_helpers() const { return seats_.load(std::memory_order_relaxed) != 0; }
 
     /// Calls body(slice, seat) once for each slice from 0 to slices - 1, and returns when all have ended.
-    /// Only the leader calls it. The body must not throw, nor call `each` of the same team. `seat` is below max_threads and differs between threads that work at the
-    /// same time, so that each can have scratch memory of its own. Without helpers, the slices are done in
-    /// order.
+    /// Only the leader calls it. The body must not throw, nor call `each` of the same team. `seat` is below
+    /// max_threads and differs between threads that work at the same time, so that each can have scratch
+    /// memory of its own. Without helpers, the slices are done in order.
     template <class Body>
     void each(int slices, Body&& body) {
         THAUM_ASSERT(slices <= max_slices, "a loop is divided into too many slices");
