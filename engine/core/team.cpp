@@ -77,8 +77,8 @@ void Team::help() {
     if (!is_open(seen)) return;
     const unsigned seat = sit_down();
     if (seat == 0) return;
-    // A failed attempt to take a slice also changes `seen`, so each change is followed by the test for an open
-    // team: a helper that waited in a closed team would not be woken.
+    // A failed attempt to take a slice also changes `seen`. So each change is followed by the test for an
+    // open team: a helper that waited in a closed team would not be woken.
     while (is_open(seen)) {
         if (all_taken(seen))
             seen = wait_for_change(seen);
