@@ -36,8 +36,8 @@ public:
 
     /// Lets helpers in. May be called by another thread than the leader, before the leader begins.
     void open();
-    /// Sends the helpers away. The leader calls it after its last loop. Helpers may still be in `help` when it
-    /// returns, so the team must outlive their calls.
+    /// Sends the helpers away. The leader calls it after its last loop. Helpers may still be in `help` when
+    /// it returns, so the team must outlive their calls.
     void close();
 
     /// Takes slices of the leader's loops until `close`. Returns at once if the team is not open or has
