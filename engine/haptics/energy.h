@@ -77,7 +77,7 @@ struct PassivityObserver {
     /// Energy that springs may still give after a switch (a source of force came, ended or jumped), unless
     /// `held_back` is `no` (J).
     double reserve{};
-    double work_reserve{};         ///< the reserve as it would be `by_work` since the last switch (J)
+    double work_reserve{};         ///< the reserve as it would be `by_work` since the first switch (J)
     std::uint32_t active_bin{};    ///< index of the bin of `active` that is being filled
     std::uint32_t active_tick{};   ///< number of ticks so far in that bin
     std::uint32_t newest{};        ///< index of the last command in `forces`
