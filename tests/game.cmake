@@ -24,5 +24,5 @@ thaum_test(test_easiest_bot
     NOT_SANITIZED EasiestBot.*
     LONG EasiestBot.*)
 thaum_test(test_lab
-    SOURCES unit/lab_test.cpp unit/saved_body_test.cpp unit/volume_lab_test.cpp unit/volume_session_test.cpp
+    SOURCES unit/hand_path_test.cpp unit/lab_test.cpp unit/saved_body_test.cpp unit/volume_lab_test.cpp unit/volume_session_test.cpp
     LINK thaum_lab)

@@ -415,8 +415,8 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
                               .may_lie_ahead = from_field && conservative(model.primitives)};
     EnergyLimits limits = limits_after_switch(servo, state, tip, may_give, pulling, sources);
     state.energy.spring_force = std::min(pulling.pull, limits.reserve_force);
-    // What a field holds beyond the coupling may have been there before the hand came. The reserve limits it,
-    // so the hand must not be braked for it.
+    // Energy that a field holds beyond the coupling may have been there before the hand came. The reserve
+    // limits it, so the hand must not be braked for it.
     const bool by_work = state.energy.held_back == HeldBack::by_work;
     const double returned =
         by_work ? std::min(held, coupling_energy(state, model, tip.position, felt)) : held;

@@ -452,7 +452,7 @@ TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
     const SubstepScale scale{static_cast<float>(carried / substeps),
                              static_cast<float>(diffusion * spread / substeps),
                              sharpness_of(face_flow, diffusion, scratch.segregation)};
-    // What crosses levels that lie across x is summed over all rows, which one thread does in order.
+    // Flow through levels that lie across x is summed over all rows, which one thread does in order.
     if (settings.moved_along.x != 0) split.slices = 1;
     const SubstepContext context{lattice, face_flow, scale, density, scratch, team, split};
     const auto step =

@@ -79,8 +79,8 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
                    const std::array<Samples, 3>& after, const FaceApertures* face_apertures, double dt,
                    FaceFlow& face_flow, Team& team, int order = 2);
 
-/// What flows through the faces of a row in one sub-step, in eight partial sums. The members of LevelCrossing
-/// (transport_rows.h) say what they are.
+/// Sums of what flows through the faces of a row in one sub-step, each in eight parts. The members of
+/// LevelCrossing (transport_rows.h) say what they are.
 struct CrossedSums {
     Floats8 density, flow, either, carried;
 };

@@ -28,7 +28,7 @@ double slope(vec3 centre, vec3 half, vec3 box_half, double t) {
     return glm::dot(half, point - glm::clamp(point, -box_half, box_half));
 }
 
-/// Where the slope is zero between two places at which it has these values of different signs.
+/// Place of zero slope between two places whose slopes have different signs.
 double crossing(double from, double from_slope, double to, double to_slope) {
     return from + (to - from) * (from_slope / (from_slope - to_slope));
 }

@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <thread>
 
 #include "core/file.h"
 #include "core/json.h"
 #include "core/tell_user.h"
 #include "core/text.h"
+#include "core/threads.h"
 #include "game/app/command.h"
 #include "game/bots/league.h"
 #include "game/command_line/arguments.h"
@@ -87,7 +87,7 @@ Expected<Plan> read_plan(const std::vector<std::string>& words) {
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0} / 2, plan.seed);
     if (!seed) return seed.error();
     plan.seed = *seed;
-    const auto jobs = arguments->whole("--jobs", 1, 256, std::max(1U, std::thread::hardware_concurrency()));
+    const auto jobs = arguments->whole("--jobs", 1, 256, processors());
     if (!jobs) return jobs.error();
     plan.jobs = *jobs;
     plan.choice.rules = arguments->value("--rules").value_or(plan.choice.rules);
