@@ -63,6 +63,7 @@ ServoState resumed(const ServoState& before) {
     const bool set_switched = feel_primitives(state, model, tip, sources);
     const FeltFluid fluid = feel_space(servo, state, model, age, tip, sources);
     tip.switched = push.switched || surfaces.switched || tether.switched || set_switched || fluid.switched;
+    tip.jumps = tip.switched || push.cut_off;
     tip.stops = !model.on || age > freshest_ticks;
     const EnergyLimits energy =
         update_energy(servo, state, model, tether.tether, tip, surfaces, fluid.forces, sources);
@@ -80,7 +81,7 @@ ServoState resumed(const ServoState& before) {
                                    .stiffness = servo.max_stiffness,
                                    .change = energy.change,
                                    .model_age = age,
-                                   .switched = push.cut_off || tip.switched,
+                                   .switched = tip.jumps,
                                    .settles = state.energy.unsettled != 0,
                                    .on = model.on,
                                    .panic = model.panic,

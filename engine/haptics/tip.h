@@ -16,6 +16,7 @@ struct Tip {
     vec3 velocity{};      ///< velocity over the last `velocity_window` ticks (m/s)
     double path_speed{};  ///< speed along the path; also a tip that vibrates in place is fast (m/s)
     bool switched{};      ///< a source of force on the tip, such as a tether, appeared, ended or jumped
+    bool jumps{};         ///< the force may jump in this tick: a source switched, or a push was cut off
     bool stops{};         ///< the force has to end: the haptic model is stale, or the player wants no forces
 };
 
