@@ -133,6 +133,25 @@ TEST(DrawnBody, ItIsFeltWhereItIsDrawnAndNowhereElse) {
     }
 }
 
+// The plane of a surface goes on without end, but a thin edge of a body between two faces of its box ends.
+TEST(DrawnBody, BesideAThinEdgeOnAFaceOfTheBoxNothingIsFelt) {
+    // Solid in the last tenth of a sample before the face x, so the edge's normal lies along the face y.
+    const Body edge({12, 12, 12}, vec3(fine), [&](vec3 p) { return 0.5 + 0.05 * (p.x / fine - 5.4); });
+    const SmoothGrid felt = edge.felt();
+    const vec3 corner = fine * vec3(5.5, 5.5, 0);
+    for (const double past : {0.1, 0.2, 0.4, 0.6, 0.9}) {
+        auto hand = hand_on(felt);
+        double most = 0;
+        pushed(hand, corner + fine * vec3(past + 0.1, 1.5, 0), corner + fine * vec3(past, -0.8, 0.1), 100,
+               &most);
+        EXPECT_LE(most, 1e-12) << past << " samples beside the face x";
+        hand = hand_on(felt);
+        EXPECT_GT(glm::length(pushed(hand, corner + fine * vec3(-0.05, 1.5, 0),
+                                     corner + fine * vec3(-0.05, -0.3, 0), 100)),
+                  0.01);
+    }
+}
+
 TEST(DrawnBody, ASheetOfOneSampleIsFeltInEveryDirection) {
     Random random{3};
     for (int i = 0; i < 40; ++i) {

@@ -31,8 +31,10 @@ constexpr double max_search_step = 0.5;
 constexpr double depth_share = 0.3, max_eased = 0.5;
 /// Largest distance from the drawn surface of a plane that lags behind because it may move only by
 /// LevelSurface::slew in a tick. It is given as shares of the tip's depth: first for a plane that moves out
-/// of the body, then for one that sinks into it. `max_late` is in samples along the normal.
-constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
+/// of the body, then for one that sinks into it. `max_late` is in samples along the normal. `late_reach` is a
+/// share of LevelSurface::reach: a proxy that lies deeper than the reach finds no surface any more, so the tip
+/// of a fast hand would be let go of within the body.
+constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1, late_reach = 0.6;
 /// Smallest share of the slew (largest motion of a plane in a tick) by which a plane may always move. The
 /// tip's motion against the plane, which changes the force too, takes the rest of the slew.
 constexpr double min_slew = 0.25;
@@ -340,7 +342,8 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
         way.smooth * fading((std::abs(way.smooth) / sample - max_search_step) / max_search_step);
     const double own = glm::dot(motion_, way.out), slew = surface_.slew;
     if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
-    const double most = std::min(depth_share * depth, max_eased * fine_), late = max_late * sample;
+    const double most = std::min(depth_share * depth, max_eased * fine_);
+    const double late = std::min(max_late * sample, late_reach * surface_.reach);
     const double wanted = std::clamp(step, -most, most);
     // The tip's motion along the normal changes the force, too, so the plane may move by that much less.
     const double up = std::max(slew + std::min(own, 0.0), min_slew * slew);
@@ -466,22 +469,27 @@ std::optional<BodySearch::Found> BodySearch::between(vec3 from, vec3 to) {
     return std::nullopt;
 }
 
+/// Whether the plane at a found place tells where the body is on a proxy's way. A plane is infinite, but the
+/// body is not: where the proxy meets the plane far from the found place, the body may not be there, above all
+/// beyond a thin edge, and outside of the box it is not. A tip in front of the plane counts as if it fell onto
+/// it.
+bool BodySearch::reaches(const Found& found, vec3 from, vec3 to) {
+    const vec3 out = found.way.out;
+    const double below = glm::dot(found.place - to, out);
+    if (!(below > 0)) return glm::distance(to + below * out, found.place) <= fine_;
+    const double above = std::max(0.0, glm::dot(from - found.place, out));
+    const double apart = glm::distance(from + above / (above + below) * (to - from), found.place);
+    const Part in_box = part_in_box(from, to, half_);
+    if (in_box.from > in_box.to || apart > fine_) return false;
+    return apart <= beside_samples * fine_ || solid(to);
+}
+
 std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
     const vec3 from = to_box(proxy), to = to_box(target);
     auto found = near(from, to);
     if (!found && !solid(from)) found = between(from, to);
     if (!found) return std::nullopt;
-    // A plane is infinite, but the body is not. If the proxy would meet the plane far from the place that was
-    // found, the body may not be there. Then only a surface on the proxy's own way counts.
-    const double above = glm::dot(from - found->place, found->way.out);
-    const double below = glm::dot(found->place - to, found->way.out);
-    if (above > 0 && below > 0) {
-        const vec3 meets = from + above / (above + below) * (to - from);
-        if (glm::distance(meets, found->place) > fine_) found = between(from, to);
-    } else if (above <= 0 && below > 0 && !solid(from) && glm::distance(from, found->place) > fine_) {
-        // The proxy is in free space behind the plane, beyond an edge of the body.
-        found = between(from, to);
-    }
+    if (!reaches(*found, from, to) && !solid(from)) found = between(from, to);
     if (found) contact_.depth = glm::dot(found->place - to, found->way.out);
     return plane_of(found, from, to);
 }

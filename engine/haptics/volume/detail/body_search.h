@@ -89,6 +89,7 @@ private:
     vec3 crossing(Bracket bracket, double accuracy);
     std::optional<Found> found_at(vec3 place);
     Found found_at(vec3 place, vec3 start, const Way& way);
+    bool reaches(const Found& found, vec3 from, vec3 to);
     bool stays_in(vec3 target, vec3 out, double depth, double height);
     double eased(const Found& found, vec3 proxy, vec3 target);
     std::optional<ContactPlane> plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target);
