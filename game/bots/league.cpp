@@ -7,6 +7,23 @@
 namespace thaum::game::inline bots {
 namespace {
 
+void note_balance(const Match& match, const RoundCount& count, LeagueMatch& result) {
+    BalanceSums sums{.kills = static_cast<std::uint32_t>(count.kills.size()),
+                     .lead_changes = count.lead_changes,
+                     .by_great_work = match.ending == Ending::great_work ? 1U : 0U,
+                     .for_nobody = match.winner >= players ? 1U : 0U};
+    for (std::size_t source = 0; source < magic_sources; ++source)
+        sums.rounds_with[source] = count.used[0][source] || count.used[1][source] ? 1 : 0;
+    for (std::size_t i = 0; i < count.kills.size(); ++i) {
+        sums.magic_kills += count.kills[i].magic ? 1 : 0;
+        if (i == 0)
+            result.first_kills[result.rounds] = count.kills[i].waited;
+        else if (result.waits < kept_waits)
+            result.between_kills[result.waits++] = count.kills[i].waited;
+    }
+    result.balance.add(sums);
+}
+
 void note_round_end(const Match& match, LeagueMatch& result) {
     result.lengths[result.rounds] = match.played - match.round_began;
     result.timed_out[result.rounds] = match.ending == Ending::time ? 1 : 0;
@@ -62,7 +79,25 @@ void add_to_level(const LeagueMatch& match, std::uint32_t player, LeagueSummary&
     }
 }
 
+void add_balance(const LeagueMatch& match, LeagueSummary& summary) {
+    summary.balance.add(match.balance);
+    for (std::uint32_t round = 0; round < match.rounds; ++round)
+        if (match.first_kills[round] > 0) summary.first_kill_s.push_back(seconds(match.first_kills[round]));
+    for (std::uint32_t i = 0; i < match.waits; ++i)
+        summary.between_kills_s.push_back(seconds(match.between_kills[i]));
+}
+
 }  // namespace
+
+void BalanceSums::add(const BalanceSums& other) {
+    for (std::size_t source = 0; source < magic_sources; ++source)
+        rounds_with[source] += other.rounds_with[source];
+    kills += other.kills;
+    magic_kills += other.magic_kills;
+    lead_changes += other.lead_changes;
+    by_great_work += other.by_great_work;
+    for_nobody += other.for_nobody;
+}
 
 Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
                                         std::shared_ptr<const MatchData> data,
@@ -71,11 +106,20 @@ Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
     if (!duel) return duel.error();
     const auto& match = *duel->match;
     LeagueMatch result{.levels = {levels[0], levels[1]}, .seed = seed};
+    BalanceCounter counter;
+    std::uint64_t seen = 0;
+    bool in_round = false;
     while (match.match().phase != Phase::over) {
         const bool played = match.match().phase == Phase::playing;
+        if (played && !in_round) counter.begin_round(match.match().played);
+        in_round = played;
         duel->match->tick(duel->next_frame());
+        match.events().each_new(seen, [&](const Event& event) { counter.note(event); });
         if (!played) continue;
-        if (match.match().phase != Phase::playing) note_round_end(match.match(), result);
+        if (match.match().phase != Phase::playing) {
+            note_balance(match.match(), counter.round(), result);
+            note_round_end(match.match(), result);
+        }
         if (match.match().played % gameplay_period == 0) note_energy(match, result);
     }
     result.winner = ahead(match.match());
@@ -91,12 +135,14 @@ LeagueSummary summarise(std::span<const LeagueMatch> matches) {
         add_to_pair(match, summary);
         if (match.winner < players) ++summary.seat_wins[match.winner];
         for (std::uint32_t player = 0; player < players; ++player) add_to_level(match, player, summary);
+        add_balance(match, summary);
         for (std::uint32_t round = 0; round < match.rounds; ++round) {
             summary.round_s.push_back(seconds(match.lengths[round]));
             summary.timed_out += match.timed_out[round];
         }
     }
-    std::sort(summary.round_s.begin(), summary.round_s.end());
+    for (auto* times : {&summary.round_s, &summary.first_kill_s, &summary.between_kills_s})
+        std::sort(times->begin(), times->end());
     std::sort(summary.levels.begin(), summary.levels.end(),
               [](const auto& a, const auto& b) { return a.level < b.level; });
     std::sort(summary.pairs.begin(), summary.pairs.end(), [](const auto& a, const auto& b) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "game/bots/balance.h"
 #include "game/bots/duel.h"
 #include "game/match/result.h"
 
@@ -9,6 +10,19 @@ namespace thaum::game::inline bots {
 
 /// Largest number of rounds in a result; the rules of a match allow no more (data/rules.cpp).
 inline constexpr std::size_t max_rounds = 99;
+
+/// Largest number of kills of a match whose waits are kept. Matches have at most 27, unless a rule is changed.
+inline constexpr std::size_t kept_waits = 64;
+
+/// What the rounds of one match, or of many, say of their balance.
+struct BalanceSums {
+    std::array<std::uint32_t, magic_sources> rounds_with{};  ///< rounds in which some player used the source
+    std::uint32_t kills{}, magic_kills{}, lead_changes{};
+    std::uint32_t by_great_work{};  ///< rounds that the Great Work decided
+    std::uint32_t for_nobody{};     ///< rounds without a winner
+
+    void add(const BalanceSums& other);
+};
 
 /// Result of one match of a league. It holds plain bytes, so that it can be sent between processes.
 struct LeagueMatch {
@@ -21,6 +35,11 @@ struct LeagueMatch {
     AllMatchStats match_stats{};
     std::array<Tick, players> alive{};  ///< time alive (ticks of play)
     std::array<Tick, players> dry{};    ///< part of `alive` without energy for a shot (ticks)
+    BalanceSums balance{};
+    /// Time from the beginning of each round to its first kill (ticks); 0: no kill
+    std::array<Tick, max_rounds> first_kills{};
+    std::uint32_t waits{};                         ///< number of values in `between_kills`
+    std::array<Tick, kept_waits> between_kills{};  ///< times between two kills of a round (ticks)
 };
 
 /// Plays a match of two bots. The error is one line: a level that does not exist, or a fault in its file.
@@ -56,6 +75,9 @@ struct LeagueSummary {
     std::uint32_t timed_out{};                      ///< number of rounds that ended because their time was up
     std::array<std::uint32_t, max_causes> kills{};  ///< kills by cause
     std::uint32_t own_deaths{};                     ///< deaths for which no player is credited with a kill
+    BalanceSums balance{};
+    /// Times from the beginning of a round to its first kill, and between two kills of a round; sorted (s)
+    std::vector<double> first_kill_s, between_kills_s;
     double median_round_s() const;
 };
 

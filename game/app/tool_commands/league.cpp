@@ -29,25 +29,23 @@ A single level plays against itself, each seed once.
   --levels A,B,..  levels of the bots (1,2,3)
   --matches N      matches of each two levels (20)
   --rules NAME, --match NAME, --arena NAME, --set KEY=VALUE   as in `thaum play`
-  --seed N         seed of the first match (1)
-  --jobs N         number of processes; default: number of processor cores
-  --json FILE      the table as JSON, replacing an older one; - for stdout
+  --seed N         seed of the first match (1);  --jobs N  processes (one a core)
+  --table balance  in place of who wins: how often pot, spells, orb and crystal are
+                   used, which kills are magic, and how long they take
+  --json FILE      all of it as JSON, replacing an older one; - for stdout
   --check          exit code 1 unless each level wins 60 to 85 % against the next
                    lower one and the median round takes 100 to 240 s
 
-The same options give the same table with any number of processes. The JSON:
-{"league": {rules, match, arena, seed}, "pairs": [{low, high, matches, low_wins,
-high_wins, draws, high_share}], "levels": [{level, shots, hits, kills, deaths, falls,
-dry_share}], "seats": {player_1_wins, player_2_wins}, "rounds": {count, median_s,
-p10_s, p90_s, time_out_share}, "kills": {bolt, blast, lob, blow, fall, own}}. Shares
-are 0 to 1; a draw is half a win for each. dry: alive without energy for a shot; own:
-a death that is nobody's kill; falls: deaths by a fall. In a fair arena both seats
-win equally often.
+The same options give the same table with any number of processes. A draw is half a win
+for each; dry: alive without energy for a shot; own: a death that is nobody's kill.
+Magic is used in a round if it changes health, or if a blow falls while it acts on one
+of the two. A kill is magic if at least half of the last 30 HP was lost by magic or under
+it: with a potion, the Lens or the Great Work, 6 s after a spell, 2 s after a push.
 )";
 
-constexpr Option league_options[] = {{"--levels", 1},  {"--matches", 1},   {"--rules", 1}, {"--match", 1},
-                                     {"--arena", 1},   {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
-                                     output("--json"), {"--check"}};
+constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
+                                     {"--arena", 1},  {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
+                                     {"--table", 1},  output("--json"),   {"--check"}};
 
 struct Plan {
     std::vector<int> levels{1, 2, 3};
@@ -55,6 +53,7 @@ struct Plan {
     DataChoice choice{};
     std::string json;
     bool check = false;
+    bool balance = false;  // the text is the table of the balance
 };
 
 Expected<std::vector<int>> read_levels(std::string_view words) {
@@ -94,6 +93,9 @@ Expected<Plan> read_plan(const std::vector<std::string>& words) {
     plan.choice.match = arguments->value("--match").value_or(plan.choice.match);
     plan.choice.arena = arguments->value("--arena").value_or(plan.choice.arena);
     plan.choice.overrides = arguments->values("--set");
+    const auto table = arguments->value("--table");
+    if (table && *table != "balance") return fail(text("--table is balance, not '", *table, "'"));
+    plan.balance = table.has_value();
     plan.json = arguments->value("--json").value_or("");
     plan.check = arguments->has("--check");
     return plan;
@@ -223,10 +225,52 @@ double time_out_share(const LeagueSummary& s) {
     return ratio(s.timed_out, static_cast<double>(s.round_s.size()));
 }
 
+std::string headline(const Plan& plan) {
+    return text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", arena ",
+                plan.choice.arena, ", ", plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
+}
+
+std::string seats_and_rounds(const LeagueSummary& s) {
+    return text("seats    player 1 won ", s.seat_wins[0], ", player 2 won ", s.seat_wins[1], "\nrounds   ",
+                s.round_s.size(), ", median ", fixed(s.median_round_s(), 0), " s, ",
+                percent(time_out_share(s)), " ended by time\n");
+}
+
+/// Shares of the kills by their cause.
+std::string kill_shares(const LeagueSummary& s) {
+    std::string line = "kills    ";
+    double all = s.own_deaths;
+    for (const auto kills : s.kills) all += kills;
+    for (std::size_t cause = 0; cause < causes().size(); ++cause)
+        if (!causes()[cause].empty())
+            line += text(causes()[cause], " ", percent(ratio(s.kills[cause], all)), ", ");
+    return line + text("own ", percent(ratio(s.own_deaths, all)), "\n");
+}
+
+std::string balance_table(const Plan& plan, const LeagueSummary& s) {
+    const auto rounds = static_cast<double>(s.round_s.size());
+    const auto of_rounds = [&](double count) { return percent(ratio(count, rounds)); };
+    const auto spread = [](const std::vector<double>& times) {
+        return text("median ", fixed(at_share(times, 0.5), 0),
+                    " s (10 to 90 %: ", fixed(at_share(times, 0.1), 0), " to ",
+                    fixed(at_share(times, 0.9), 0), " s)");
+    };
+    const BalanceSums& sums = s.balance;
+    std::string lines = headline(plan) + seats_and_rounds(s) + "used in  ";
+    for (std::size_t source = 0; source < magic_sources; ++source)
+        lines += text(source > 0 ? ", " : "", magic_names[source], " ", of_rounds(sums.rounds_with[source]));
+    lines += text(" of rounds\nmagic    ", percent(ratio(sums.magic_kills, sums.kills)), " of ", sums.kills,
+                  " kills\n", kill_shares(s), "first    kill of a round: ", spread(s.first_kill_s), "; in ",
+                  of_rounds(rounds - static_cast<double>(s.first_kill_s.size())),
+                  " of rounds none\nbetween  kills of a round: ", spread(s.between_kills_s),
+                  "\nlead     changes hands ", fixed(ratio(sums.lead_changes, rounds), 2),
+                  " times a round\nended    by the Great Work ", of_rounds(sums.by_great_work),
+                  ", for nobody ", of_rounds(sums.for_nobody), "\n");
+    return lines;
+}
+
 std::string table(const Plan& plan, const LeagueSummary& s) {
-    std::string lines =
-        text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", arena ",
-             plan.choice.arena, ", ", plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
+    std::string lines = headline(plan);
     for (const auto& p : s.pairs) {
         lines += text("level ", p.high, " against ", p.low, "   won ", p.high_wins, ", lost ", p.low_wins,
                       ", drew ", p.matches - p.high_wins - p.low_wins, ": ", percent(p.high_share()), "\n");
@@ -237,14 +281,7 @@ std::string table(const Plan& plan, const LeagueSummary& s) {
                       " of ", l.shots, " shots hit, dry for ",
                       percent(ratio(seconds(l.dry), seconds(l.alive))), " of its life\n");
     }
-    lines += text("seats    player 1 won ", s.seat_wins[0], ", player 2 won ", s.seat_wins[1], "\n");
-    lines += text("rounds   ", s.round_s.size(), ", median ", fixed(s.median_round_s(), 0), " s, ",
-                  percent(time_out_share(s)), " ended by time\nkills    ");
-    double all = s.own_deaths;
-    for (const auto kills : s.kills) all += kills;
-    for (std::size_t cause = 0; cause < causes().size(); ++cause)
-        lines += text(causes()[cause], " ", percent(ratio(s.kills[cause], all)), ", ");
-    return lines + text("own ", percent(ratio(s.own_deaths, all)), "\n");
+    return lines + seats_and_rounds(s) + kill_shares(s);
 }
 
 Json json_of(const LeaguePair& p) {
@@ -265,6 +302,21 @@ Json json_of(const LeagueLevel& l) {
             {"deaths", l.deaths},
             {"falls", l.falls},
             {"dry_share", ratio(seconds(l.dry), seconds(l.alive))}};
+}
+
+Json json_of(const BalanceSums& sums, const LeagueSummary& s) {
+    auto used = Json::object();
+    for (std::size_t source = 0; source < magic_sources; ++source)
+        used.set(magic_names[source], sums.rounds_with[source]);
+    return {{"rounds_with", used},
+            {"kills", sums.kills},
+            {"magic_kills", sums.magic_kills},
+            {"lead_changes", sums.lead_changes},
+            {"rounds_by_great_work", sums.by_great_work},
+            {"rounds_for_nobody", sums.for_nobody},
+            {"rounds_without_kill", s.round_s.size() - s.first_kill_s.size()},
+            {"median_first_kill_s", at_share(s.first_kill_s, 0.5)},
+            {"median_between_kills_s", at_share(s.between_kills_s, 0.5)}};
 }
 
 Json json_of(const Plan& plan, const LeagueSummary& s) {
@@ -288,7 +340,8 @@ Json json_of(const Plan& plan, const LeagueSummary& s) {
               {"p10_s", at_share(s.round_s, 0.1)},
               {"p90_s", at_share(s.round_s, 0.9)},
               {"time_out_share", time_out_share(s)}}},
-            {"kills", kills}};
+            {"kills", kills},
+            {"balance", json_of(s.balance, s)}};
 }
 
 /// Faults of the results in words; empty: none.
@@ -324,7 +377,8 @@ int run_league(const std::vector<std::string>& words) {
     if (!matches) return refuse(matches.error());
     const auto summary = summarise(*matches);
     const auto json = dump(json_of(*plan, summary), 1) + "\n";
-    std::printf("%s", plan->json == "-" ? json.c_str() : table(*plan, summary).c_str());
+    const auto words_for_people = plan->balance ? balance_table(*plan, summary) : table(*plan, summary);
+    std::printf("%s", plan->json == "-" ? json.c_str() : words_for_people.c_str());
     if (to_file) {
         if (const auto written = write_text_file(plan->json, json); !written) return refuse(written.error());
     }
