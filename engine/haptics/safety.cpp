@@ -34,7 +34,7 @@ constexpr auto ramp_length = static_cast<std::uint32_t>(ticks(ramp_seconds));
 // returns.
 constexpr std::uint32_t calm_ticks = 100;
 // Excess is a wanted force beyond what any correct source asks for. Ticks with excess belong to one episode
-// until so many ticks in a row have none.
+// until this many ticks in a row are without excess.
 constexpr std::uint32_t apart_ticks = 20;
 constexpr std::uint32_t episode_ticks = 10'000;  // ticks after which an episode of excess is forgotten
 // Length of a bin, over which the squared force is summed as heat (ticks).
@@ -167,8 +167,8 @@ double budget_of(const SafetyLimits& limits) {
 
 /// Square of the largest force that can be sustained from now on (N^2). With this force, the heat stays
 /// within the budget at the end of every coming bin, when the oldest bin no longer counts. While the force is
-/// sustained, this limit never falls: what was possible stays possible. It approaches the square of the
-/// continuous force, less the heat of the bin beyond the window.
+/// sustained, this limit never falls. It approaches a little less than the square of the continuous force,
+/// because the bins span a little more than the 10 s.
 double sustained(const SafetyLimits& limits, const SafetyState& state, double heat) {
     const double budget = budget_of(limits);
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
@@ -185,7 +185,7 @@ double sustained(const SafetyLimits& limits, const SafetyState& state, double he
 
 /// Force that the motors can still take (N). A burst after rest may use most of the budget. Once heat limits
 /// the force, it rises only if a larger force can be sustained. Otherwise a hand that presses on would get a
-/// burst whenever the last burst leaves the window, and nothing in between.
+/// burst whenever the last burst is 10 s old, and hardly any force in between.
 double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
     const double budget = budget_of(limits), heat = heat_of(state), left = budget - heat;
     if (!(left > 0)) return 0;
@@ -226,7 +226,8 @@ double fade_step(const SafetyLimits& limits, const SafetyInput& input) {
 
 /// Sets the offset to the difference between the last output and the goal (the force that the sources now
 /// want), so that the output makes no jump. The last output is cut to `most` (N), which it exceeds if the cap
-/// has been lowered. The part of the offset that active sources left is known from their parts of both.
+/// has been lowered. The active sources' part of the offset is the difference between their parts of the last
+/// output and of the goal.
 void take_up(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     state.remnant = shortened(state.output, most);
     state.offset = state.remnant - goal;

@@ -20,9 +20,9 @@
 //   - the wanted force that it hides: the offset leads from the wanted force to what is left of the force
 //     before the switch. An offset that cancels the force of a wall ends with that force when the wall
 //     breaks.
-// But the sum of wanted force and offset changes by no more than a spring with the device's stiffness and
-// `SafetyInput::change` together. So an offset that yields to the hand waits while a spring yields already.
-// Only the fade by `slew` goes on then.
+// But in a tick the sum of wanted force and offset changes by no more than a spring of the device's stiffness
+// and `SafetyInput::change` together would change it. If a spring already yields to the hand, an offset that
+// would yield too has to wait: only its fade by `slew` goes on.
 //
 // The wanted force itself is never delayed. A passive source therefore stays passive while the offset fades.
 // An offset that only shrinks returns no more energy than it was given. So the whole switch creates at most
@@ -78,8 +78,8 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share);
 /// The same limits with another cap, as a share of the device's peak, 0 to 1.
 SafetyLimits with_share(SafetyLimits limits, double share);
 
-/// Reason why the device gets less than was asked for; of several, the last in this order. The screen shows a
-/// caption for each.
+/// Reason why the device gets less force than was asked for. If there are several, it is the last one in this
+/// order. The screen shows a caption for each.
 enum class SafetyCause : std::uint32_t {
     none,
     capped,      ///< clipped to the cap, the largest allowed force
@@ -88,9 +88,10 @@ enum class SafetyCause : std::uint32_t {
     stale,       ///< no fresh model: the force ramps to zero or is zero
     over_speed,  ///< the hand was too fast: the force is zero until it is slow
     off,         ///< the player wants no forces
-    /// Sources repeatedly wanted more than SafetyLimits::excess; until the player asks for forces again.
+    /// Sources repeatedly wanted more than SafetyLimits::excess: no force until the player asks for forces
+    /// again.
     shut_off,
-    panic,  ///< the panic key was pressed; until the player asks for forces again
+    panic,  ///< the panic key was pressed: no force until the player asks for forces again
 };
 
 inline constexpr std::array<std::string_view, 9> safety_cause_names{

@@ -41,8 +41,8 @@ struct HapticModel {
     bool rearm{};   ///< the player asks for forces again after a panic or shut-off
     /// Largest force chosen by the player (% of the device's peak); 0: the cap of Servo::limits.
     std::uint8_t force_percent{};
-    /// Changes when the primitives jump, not when they move smoothly. A jump is a switch, which the safety
-    /// stage fades.
+    /// Changes when the primitives (elementary forces on the proxy) jump, not when they move smoothly. A jump
+    /// is a switch, which the safety stage fades.
     std::uint32_t set_number{};
     PrimitiveSet primitives{};  ///< primitives (m, device frame); usually empty, at no cost
     /// Spring and damper from the tip to the proxy on which the primitives act.

@@ -186,7 +186,7 @@ struct ContactResult {
 ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
                     double dt) noexcept;
 
-/// Distance of the proxy from surfaces; with it, rounding decides no side (m).
+/// Gap that the proxy keeps from surfaces (m). With it, rounding never decides on which side the proxy is.
 inline constexpr double surface_gap = 2e-10;
 
 /// The patch after its bodies have moved on for `seconds` (s).

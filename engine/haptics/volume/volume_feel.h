@@ -73,9 +73,9 @@ struct GuidePlane {
 struct OpacityFeel {
     field::TransferFunction density{};   ///< share of the opacity by the density, 0 to 1
     field::TransferFunction gradient{};  ///< share of the opacity by the gradient's length (per m), 0 to 1
-    double stiffness{};         ///< force S along the gradient where the opacity a is 1: S = stiffness a (N)
-    double retarding{};         ///< drag R / v where a is 1, without the next field: R = (retarding
-                                ///< a + retarding_always) v (N s/m)
+    double stiffness{};  ///< force S along the gradient where the opacity a is 1: S = stiffness a (N)
+    /// Drag added where a is 1, R = (retarding a + retarding_always) v at the speed v (N s/m).
+    double retarding{};
     double retarding_always{};  ///< drag that does not depend on the opacity (N s/m)
     /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a
     /// thin structure instead of slipping off.

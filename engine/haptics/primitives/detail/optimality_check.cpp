@@ -31,7 +31,7 @@ double worst_misfit(const Problem& problem, vec3 x) {
 }
 
 /// Force that an active term (on whose kink x is assumed to lie) can still add until it reaches its strength
-/// (N); 1 % of the strength more, so that it never is zero.
+/// (N). 1 % of the strength is added, so that the result is never zero.
 double remaining_strength(const Term& term) { return 1.01 * term.strength - glm::length(term.dual); }
 
 /// Sum of all forces at x, which must vanish, and the strength that the active terms (whose kinks are assumed

@@ -29,8 +29,8 @@ inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
 
-/// Adds a wall. It replaces a wall of the same surface, because a round surface has another plane at each
-/// place.
+/// Adds a wall (plane at a touched surface). It replaces an earlier wall of the same surface, because a round
+/// surface has another plane at each place.
 inline void add_wall(Walls& walls, const Wall& wall) {
     for (std::size_t i = 0; i < walls.count; ++i) {
         if (walls.items[i].surface != wall.surface) continue;

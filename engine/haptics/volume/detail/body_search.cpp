@@ -40,9 +40,9 @@ constexpr double min_slew = 0.25;
 /// along the normal). At less depth, a step in the drawn surface on the tip's way may put the tip outside of
 /// the body, and the force would end at once.
 constexpr double let_go = 0.75;
-/// Depth in the drawn body that the tip must keep on its way ahead, as a share of the height of its plane
-/// above it. It is more than the plane needs to sink in time, since the reads ahead may miss the top of a
-/// step.
+/// Depth in the drawn body that the tip must keep on its way ahead, as a share of the height of the plane
+/// above the tip. The share is larger than a plane needs to sink in time, since the reads ahead may miss the
+/// top of a step.
 constexpr double depth_ahead = 0.45;
 /// Distance between two reads of the field on the tip's way ahead (samples), their largest number, and the
 /// shortest way that is examined (samples).
@@ -58,8 +58,8 @@ constexpr double ground_below = 0.5;
 /// `still_felt` is the share of the tip's depth that the hand must still feel while the plane sinks.
 constexpr std::array<double, 3> early{0, 1, 1.5};
 constexpr double still_felt = 0.01;
-/// Distance between the place of the first plane and the proxy's landing place up to which one step of the
-/// samples may explain that the landing place is in the body (samples).
+/// Largest distance of the proxy's landing place from the place of the first plane (samples) at which a
+/// single step of the samples may explain that the landing place is in the body.
 constexpr double beside_samples = 0.25;
 /// Depth from which on the place where the proxy would land counts as inside the body, and accuracy with
 /// which a place on the surface is found (m).
@@ -129,7 +129,8 @@ double shown_value(const field::SampleBox& box, vec3 at) {
 }
 
 /// Share by which the averages count at a place in the samples' frame. It falls to 0 near the border, where
-/// the kernel would reach far beyond the averages, unless only averages show directions.
+/// the kernel would reach far beyond the averages, unless the samples make such coarse steps that only
+/// averages show directions.
 double averages_share(const field::SampleBox& box, vec3 at) {
     // Distances from the outermost averages up to which they do not count, and from which on they count fully
     // (in distances between averages).
@@ -284,7 +285,7 @@ vec3 BodySearch::crossing(Bracket b, double accuracy) {
         (side < 0 ? at_low : at_high) = here;
         if (side == last) (side < 0 ? at_high : at_low) *= 0.5;
         last = side;
-        // The straight line through the values at both ends tells how far the place may still be off.
+        // The straight line through the values at both ends shows how far the place may still be off.
         if (std::abs(here) * (high - low) * length <= accuracy * std::abs(at_high - at_low)) break;
     }
     return glm::mix(b.from, b.to, t);
