@@ -253,7 +253,7 @@ void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, Chang
     }
 }
 
-/// Adds the number of changed voxels of a brick, and a box around them, to the result.
+/// Adds the number of changed voxels of a brick (block of voxels), and a box around them, to the result.
 void count_changed(const Changed& changed, const VoxelBox& brick, Edit& result) {
     const std::size_t before = result.voxels;
     for (int row = 0; row < brick_size * brick_size; ++row) {

@@ -11,8 +11,8 @@
 //     clamp         scalar        scalar    at least a, at most b
 //     smooth        either        same      Gaussian average, a = standard deviation in samples (0 to 16)
 //
-// All but `smooth` work where they are read and need no memory. `smooth` averages samples of its input once,
-// and again only if its input or its parameter has changed.
+// All filters but `smooth` are computed at the place that is read and need no memory. `smooth` averages
+// samples of its input once, and again only if its input or its parameter has changed.
 //
 // Derivatives of the results are exact for magnitude, scale and clamp, by the chain rule. Those of gradient,
 // curl and divergence are second derivatives of the source. They are central differences over one sample to

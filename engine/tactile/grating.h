@@ -12,6 +12,7 @@
 //                       h(p_x) - p_z         where p_z <= h         force along the grating's normal n_r(p)
 //     F_r      = k dx + B x'                 while moving in, k dx otherwise
 //
+// Here k is the stiffness, B the damping, dx the depth p_1 or p_2, and x' the speed at which it changes.
 // Corrections to the text of the paper: the bracket of the sine is not closed there; the second case of the
 // second method tests p_z <= h(p_x), written h(p_x(x)); the two cases of F_r are both printed for x' below
 // zero, so the second is read as x' >= 0. The damping resists deepening, so x' counts here as the speed of

@@ -170,7 +170,7 @@ private:
     std::size_t count_{};
     /// Tick from which another event may begin at an actuator.
     std::array<Tick, max_actuators> free_at_{};
-    /// Shares of the actuators in the energy of each cell of a clip.
+    /// Shares of the actuators in the energy of each cell of a clip (a recording).
     std::array<Shares, clip_cells> clip_shares_{};
     // Sum of the energies (squares of the amplitudes) of all effects in one frame, at each actuator.
     std::array<float, max_actuators> energy_{};

@@ -84,7 +84,7 @@ SampleDecoder::SampleDecoder(SampleType type, bool big_endian, const StoredOrder
     join_axes();
 }
 
-/// Sorts the axes, and makes one of two where the samples of both lie in one row in file and volume.
+/// Sorts the axes, and joins two axes whose samples form one row both in the file and in the volume.
 void SampleDecoder::join_axes() {
     std::sort(axes_.begin(), axes_.begin() + static_cast<std::ptrdiff_t>(axis_count_),
               [](const Axis& a, const Axis& b) { return a.stride < b.stride; });
