@@ -18,7 +18,7 @@
 //     only spacings                              the same; without an origin, the middle of the samples
 //                                                is at 0
 //     "nan" or "none"                            not given
-//     units (space units, or units of the axes)  metres come out; without units, or with units that are none
+//     units (space units, or units of the axes)  lengths become m; without units, or with units that are none
 //                                                of length, such as "pixel", lengths are mm, as in medicine
 //     axis mins and maxs without spacings        their difference over the samples, or over the gaps of
 //                                                nodes; their place is left out
@@ -48,7 +48,7 @@
 
 namespace thaum::field {
 
-/// How to read an NRRD file.
+/// Choices for reading an NRRD file.
 struct ReadChoice {
     /// Largest number of samples times components that is accepted, over all moments of time.
     std::size_t limit = max_samples;

@@ -55,8 +55,9 @@ VoxelBox overlap(const VoxelBox& a, const VoxelBox& b);
 inline constexpr int brick_size = 8;
 inline constexpr int voxels_of_brick = brick_size * brick_size * brick_size;
 
-/// Which parts of a body have changed, brick by brick. A reader that keeps a copy also keeps the value of
-/// `newest` at its last look. Later it reads again only bricks whose version is above that value.
+/// Record of the parts of a body that have changed, brick by brick (block of 8 x 8 x 8 voxels). A reader that
+/// keeps a copy also keeps the value of `newest` at its last look. Later it reads again only bricks whose
+/// version is above that value.
 ///
 /// The versions are no part of the body's state. They never go back, not even when an older state is
 /// restored. Otherwise a reader could take its copy of a brick from before for the brick as it was changed

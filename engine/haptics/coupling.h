@@ -26,7 +26,7 @@ struct Coupling {
     double drag{};
 };
 
-/// A coupling, with all that can be computed in advance for one step length and two masses.
+/// A coupling, with the constants that depend only on the step length and the two masses.
 struct CouplingStep {
     Coupling coupling{};
     double inverse_object{};  ///< inverse mass of the object (1/kg)

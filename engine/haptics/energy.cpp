@@ -73,7 +73,7 @@ void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double
                              observer.forces[observer.newest].share * supplied;
         observer.created += given;
         use_reserve(observer, given, stored);
-        // Of the energy received, only the stored part can come back. Damping has dissipated the rest.
+        // Only the stored part of the energy received can come back. Damping has dissipated the rest.
         observer.created = std::max(observer.created, -stored);
         observer.most_created = std::max(observer.most_created, observer.created);
         add_active_work(observer, glm::dot(force.active, step));
@@ -215,7 +215,8 @@ void record_ramp(PassivityObserver& observer, vec3 output) {
 
 namespace {
 
-/// Potential of a primitive, above its minimum (J).
+/// Potential energy of a primitive (J) if the proxy is at this place; the minimum is 0, and a directed force
+/// counts as 0.
 double potential(const Primitive& primitive, vec3 proxy) {
     const vec3 off = proxy - primitive.position;
     const double along = glm::dot(off, primitive.direction);

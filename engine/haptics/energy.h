@@ -85,7 +85,7 @@ struct PassivityObserver {
     std::uint32_t has_position{};  ///< 1: `position` was measured in the last tick; 0: it is unknown
     HeldBack held_back{};          ///< whether `reserve` limits the springs, and what adds to it
     std::uint32_t unsettled{};     ///< ticks left in which the sources' forces may still jump after a switch
-    vec3 brake{};                  ///< brake, the force that took out excess energy, in the last tick (N)
+    vec3 brake{};                  ///< force that took excess energy out of the hand in the last tick (N)
     double spring_force{};         ///< length of the springs' force in the last tick (N)
 };
 static_assert(sizeof(PassivityObserver) ==
@@ -129,8 +129,9 @@ double surplus(const PassivityObserver& observer, double held);
 /// most `most` (N s/m).
 vec3 passivity_control(double energy, vec3 velocity, double most);
 
-/// Largest change of the brake in a tick (N): in general, and while springs are held back after a switch. The
-/// latter and `reserve_step` together stay below `steady_change`, the largest change of the output.
+/// Largest change of the brake (the force that takes excess energy out of the hand) in a tick (N):
+/// `brake_step` in general, `held_brake_step` while springs are held back after a switch. `held_brake_step`
+/// and `reserve_step` together stay below `steady_change`, the largest change of the output.
 inline constexpr double brake_step = 0.3, held_brake_step = 0.15;
 
 /// Moves the brake, a damping force, towards `wished`, the one that the passivity controller asks for (N). It
@@ -155,8 +156,8 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active);
 /// budget of active sources runs out. `pending` is the work of forces that have not acted yet (J).
 double fade_energy(const PassivityObserver& observer, double pending);
 
-/// Energy up to which the output changes slowly at a switch (J). If a slow change would create more energy,
-/// the output changes faster.
+/// Largest energy that passive sources may create while the output changes slowly at a switch (J). If a slow
+/// change would create more, the output changes faster.
 inline constexpr double max_slow_creation = 0.019;
 
 /// Largest change in a tick of a force that fades (N), beyond that of a spring with the device's `stiffness`
@@ -193,13 +194,13 @@ struct HeldSprings {
 /// work from then on (HeldBack::by_work). `stiffness` is the device's largest (N/m).
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness);
 
-/// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is
-/// the motion of the tip along their force in a tick (m). `pending` is the work of their forces that are
-/// commanded but have not acted yet (J). `stiffness` is the device's largest (N/m).
+/// Largest force of the springs that the reserve allows (N); infinite if the springs are not held back.
+/// `outward` is the motion of the tip along their force in a tick (m). `pending` is the work of their forces
+/// that are commanded but have not acted yet (J). `stiffness` is the device's largest (N/m).
 double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness);
 
-/// Largest change in a tick of the force that the reserve allows (N), beyond that of a spring with the
-/// device's stiffness.
+/// Largest change in a tick of the force that the reserve, the energy that springs may still give, allows
+/// (N), beyond that of a spring with the device's stiffness.
 inline constexpr double reserve_step = 0.3;
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources

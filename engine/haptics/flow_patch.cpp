@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t node_count = FlowPatch{}.nodes.size();
 using NodeValues = std::array<double, node_count>;
 
-/// The two samples of a fluid's grid on either side of a node of the patch, along one axis.
+/// The two samples of a fluid's grid on either side of a node of the flow patch, along one axis.
 struct Between {
     std::ptrdiff_t low{}, high{};  ///< offsets of the two samples in the grid's array
     double t{};                    ///< position of the node between them, 0 at `low` and 1 at `high`

@@ -156,7 +156,7 @@ inline constexpr std::uint32_t fluid_period = 16;  ///< time between two steps o
 /// Largest gain of the loop from the hand through the fluid back to the hand (see the top of this file).
 inline constexpr double loop_gain = 0.4;
 
-/// Fluid part of the haptic model: what the servo knows about the fluid, its surface and its bowl.
+/// Fluid part of the haptic model: description of the fluid, its surface and its bowl for the servo.
 struct FluidTouch {
     /// 0: no fluid. The number changes when the fluid appears or jumps. The safety stage then fades the force
     /// from the old to the new one.

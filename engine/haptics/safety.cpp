@@ -271,8 +271,8 @@ void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec
     if (goes_on) add_fade_work(state, input, true);
 }
 
-/// Lets the offset take up a jump of sources that still settle after a switch. The work that the offset may
-/// do stays the same, so that such jumps give the hand no further energy.
+/// Lets the offset hide a jump of sources whose forces still jump for some ticks after a switch. The work
+/// that the offset may do stays the same, so that such jumps give the hand no further energy.
 void settle(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     take_up(most, state, goal, input);
     state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
@@ -367,8 +367,8 @@ SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
 }
 
-/// Largest force of a ramp to zero (N): the limit by the springs' reserve of energy, but no less than what
-/// makes no jump from the last output.
+/// Largest force of a ramp to zero (N): the limit by the springs' reserve of energy, but no less than a force
+/// that is no jump from the last output.
 double max_of_ramp(const SafetyState& state, const SafetyInput& input) {
     const double size = glm::length(state.output);
     const double outward = size > 0 ? glm::dot(state.output, input.tip - state.tip) / size : 0;

@@ -58,7 +58,7 @@ struct SafetyLimits {
 
 inline constexpr double gentle_share = 0.45;  ///< default cap (largest force) as a share of the device's peak
 inline constexpr double thermal_window = 10;  ///< time over which the motors' heat is averaged (s)
-/// Age up to which a haptic model counts as fresh, so that its force is played in full (ticks).
+/// Age up to which a haptic model counts as fresh, so that the device gets its full force (ticks).
 inline constexpr std::uint32_t freshest_ticks = 20;
 /// Largest work on the hand by the offsets that hide jumps of the force (J).
 inline constexpr double switch_energy = 0.01;
@@ -171,7 +171,7 @@ struct SafetyInput {
     double change{steady_change};
     std::uint32_t model_age{};  ///< ticks since the haptic model was made
     bool switched{};            ///< a source of force appeared, ended or jumped
-    /// The sources still settle after a switch: the offset takes up their jumps in this tick.
+    /// True: the sources' forces still jump after a switch, and the offset hides their jump in this tick.
     bool settles{};
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< a panic key is down

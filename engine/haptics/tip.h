@@ -10,7 +10,7 @@ struct ServoState;
 
 inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip's velocity is measured
 
-/// What the servo knows of the tip in one tick (device frame).
+/// Motion of the tip in one tick, and what it means for the force (device frame).
 struct Tip {
     vec3 position{};      ///< measured position (m)
     vec3 velocity{};      ///< velocity over the last `velocity_window` ticks (m/s)

@@ -35,7 +35,7 @@ inline constexpr double second_beat = 0.6;
 /// beneath it (impact), or along the normal of the grating (vibration). `both` is the mean of the two.
 enum class Method : std::uint8_t { impact, vibration, both };
 
-/// What effects are for, such as blasts or warnings. Each purpose has a volume fader of its own.
+/// Purposes of effects, such as blasts or warnings. Each purpose has a volume fader of its own.
 enum class Purpose : std::uint8_t {
     impact,
     blast,
@@ -49,7 +49,7 @@ enum class Purpose : std::uint8_t {
     music
 };
 inline constexpr std::size_t purpose_count = 10;
-/// Names of the purposes (what effects are for) as in data files, in the order of Purpose.
+/// Names of the purposes of effects as in data files, in the order of Purpose.
 const std::vector<std::string_view>& purpose_names();
 
 /// Strength over time: the strength rises, is held, and falls (ms).

@@ -35,10 +35,10 @@ double slope(const Grating& grating, double x);
 /// Unit normal of the grating in the plane of x and z.
 vec2 normal(const Grating& grating, double x);
 
-/// How far the skin at p = (p_x, p_z) is inside the grating, once it touches the flat wall beneath (m): the
-/// depth p_1 of the impact-based method.
+/// Depth of the skin at p = (p_x, p_z) inside the grating once it touches the flat wall beneath, 0 before
+/// that (m): p_1 of the impact-based method.
 double impact_depth(const Grating& grating, vec2 p);
-/// How far the skin is inside the grating (m): the depth p_2 of the vibration-based method.
+/// Depth of the skin at p = (p_x, p_z) inside the grating (m): p_2 of the vibration-based method.
 double vibration_depth(const Grating& grating, vec2 p);
 
 /// Force F_r of the spring and damper, >= 0 (N). `deepening` is the speed at which the depth grows (m/s).

@@ -71,8 +71,8 @@ struct MixerCounts {
     std::uint64_t delayed{};
     std::uint64_t replaced{};  ///< effects cut short by one of higher or equal priority
     std::uint64_t clipped{};   ///< values that were not finite or outside of their range
-    /// Number of times that an actuator had to wait, because less than `gap` had passed since its last
-    /// beginning.
+    /// Number of times that an actuator had to wait, because less than `gap` had passed since an effect last
+    /// began at it.
     std::uint64_t held{};
     /// Frames whose amplitudes were reduced, because the sum of all energies exceeded its limit.
     std::uint64_t limited{};
@@ -179,7 +179,8 @@ private:
     std::array<float, max_actuators> strongest_{};
     std::array<bool, max_actuators> on_{};
     std::array<Tick, max_actuators> may_begin_{};
-    /// Amplitude that waits until the gap since the actuator's last beginning is over.
+    /// Amplitude with which an effect begins at an actuator once the gap since the last beginning there is
+    /// over.
     std::array<double, max_actuators> waiting_{};
     bool ringing_{};  ///< true: some actuator is on, or waits to begin
     Tick mixed_at_{};

@@ -8,7 +8,7 @@ namespace {
 /// Tip that touches the patch, the surfaces near it.
 struct TouchingTip {
     vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s; device frame)
-    bool switched{};              ///< the patch is a new one, as after a teleport
+    bool switched{};              ///< the patch (surfaces near the tip) is a new one, as after a teleport
 };
 
 std::size_t bodies_of(const SurfacePatch& patch) {
@@ -119,8 +119,8 @@ SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const Fra
             .active = has_active_texture(patch)};
 }
 
-/// Computes the contact with the surfaces in the haptic model. They move on by their velocity since the model
-/// was made, but stand still once it is too old; the safety stage then soon ends the force.
+/// Computes the contact with the surfaces in the haptic model. The surfaces move on by their velocity since
+/// the model was made, but stand still once the model is too old; the safety stage then soon ends the force.
 SurfaceForces feel_bodies(ServoState& state, const HapticModel& model, std::uint32_t age,
                           const TouchingTip& probe) {
     if (model.patch.count == 0) {

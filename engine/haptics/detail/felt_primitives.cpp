@@ -6,9 +6,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Bound of the error up to which the balance of spring and primitives counts as solved (N). Beyond it, the
-/// forces found for the primitives may be wrong. The hand then feels the spring's force instead, which is
-/// right for the proxy that was found.
+/// Bound of the error up to which the balance of spring and primitives (forces on the proxy) counts as solved
+/// (N). Beyond it, the forces found for the primitives may be wrong. The hand then feels the spring's force
+/// instead, which is right for the proxy that was found.
 constexpr double solved_residual = 1e-9;
 
 /// Ticks until the proxy has found its place after the set of primitives has jumped. It takes some ticks

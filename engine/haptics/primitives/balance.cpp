@@ -87,8 +87,8 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-/// How fast the smoothing shrinks. `good` and `poor` are multiples of three gaps. The gap (m) is how far x is
-/// from obeying the smoothed problem, see next_smoothing().
+/// Settings of how fast the smoothing shrinks. `good` and `poor` are multiples of three gaps. The gap (m) is
+/// how far x is from obeying the smoothed problem, see next_smoothing().
 struct Pace {
     double good;   ///< new smoothing in units of three gaps, after a step as exact as on a quadratic problem
     double poor;   ///< new smoothing in units of three gaps, after a less exact step
@@ -150,8 +150,9 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
     }
 }
 
-/// Sets the problem back to its start: no kink is assumed to hold x, no term exerts a force, and distances
-/// are those at x, the place of the proxy without the terms.
+/// Sets the problem back to its start: no kink (point, line or plane) is assumed to hold x, no term (the
+/// energy of one kink) exerts a force, and distances are those at x, the place of the proxy without the
+/// terms.
 void reset(Problem& problem, vec3 x) {
     set_origin(problem, problem.centre);
     for (Term& term : terms_of(problem)) term.dual = {}, term.active = false;

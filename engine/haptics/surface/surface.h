@@ -153,7 +153,7 @@ struct SurfaceContact {
     vec3 force{};  ///< part of the force on the hand; the body gets the opposite (N)
 };
 
-/// What a contact remembers from tick to tick; no padding.
+/// State of a contact, kept from tick to tick; no padding.
 struct SurfaceState {
     vec3 proxy{};  ///< position of the proxy (m); valid if `begun`
     /// Touched surfaces, the first `contacts`, the most loaded first.

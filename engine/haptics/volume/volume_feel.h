@@ -120,7 +120,7 @@ struct VolumeFeel {
     double share{1};
 };
 
-/// What a volume gives the hand besides primitives, and what was found at the tip.
+/// Effects of a volume on the hand besides primitives (forces on the proxy), and its properties at the tip.
 struct VolumeFelt {
     double viscosity{};  ///< coefficient C of the drag R = C v, for HapticModel::viscosity (N s/m)
     double opacity{};    ///< opacity at the tip, 0 to 1

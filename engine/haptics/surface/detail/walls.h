@@ -70,7 +70,7 @@ double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool slidi
 /// past an edge.
 bool stands(const Scene& scene, const Wall& wall, vec3 x);
 
-/// Whether the surfaces of all walls still are at the proxy.
+/// Whether the proxy still is at the surfaces of all walls (planes that hold it).
 bool all_stand(const Scene& scene, const Walls& walls, vec3 x);
 
 /// Sorts the walls (planes at touched surfaces) by the depth of the tip behind them, the deepest first. There

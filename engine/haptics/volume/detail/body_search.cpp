@@ -204,7 +204,7 @@ std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here)
 }
 
 /// Gradient of the field at a place. If the averages of blocks of samples give nearly the same direction and
-/// have their surface near the place, their direction is used. For a thin sheet they may do neither.
+/// have their surface near the place, their direction is used. For a thin sheet the averages may do neither.
 std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     // Cosines of the angle between both gradients up to which the averages do not count, and from which on
     // they count fully.
@@ -416,8 +416,8 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
                    {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
 }
 
-/// The place on the surface of the smoothed field near a place, if the plane belongs just there because the
-/// tip is deep enough (see eased()). This shortcut takes fewer reads of the field than a search.
+/// The place on the surface of the smoothed field near a place, if the tip is so deep that its plane lies
+/// just there (see eased()). This shortcut takes fewer reads of the field than a search.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
     const double most = max_eased * fine_;
     if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;
@@ -491,9 +491,9 @@ std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 targ
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
     if (!solid(place + min_depth * normal)) return std::nullopt;
-    // The place where the proxy would land lies in the body. Near the place of the first plane, this may only
-    // be a step that the samples make in the surface; the first plane is meant to smooth it out. If the body
-    // reaches higher up, it is more than a step, and needs a plane of its own.
+    // The place where the proxy would land lies in the body. Near the place of the first plane, the reason
+    // may be only a step that the samples make in the surface; the first plane smooths such steps out. If the
+    // body reaches higher up, it is no step, and needs a plane of its own.
     const vec3 plane_at = to_box(contact_.planes[0].place);
     const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
     if (beside && !solid(place + max_late * fine_ * normal)) return std::nullopt;
