@@ -75,8 +75,8 @@ void open_step(CarvingHistory& history) {
     ++history.mark;
 }
 
-/// Forgets the steps (strokes) that could be redone, but not the open step after them. That one then counts
-/// as the last step that is done.
+/// Forgets the steps (strokes) that could be redone, but not the open step after them. The open step then
+/// counts as the last step that is done.
 void forget_redo(CarvingHistory& history) {
     if (!history.open || history.done == history.steps.size()) return;
     const auto from = history.steps.begin() + static_cast<std::ptrdiff_t>(history.done);

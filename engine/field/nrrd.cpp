@@ -133,7 +133,8 @@ FileAxes axes_of(const NrrdHeader& header, const Arrangement& a, const Volume& v
     return axes;
 }
 
-/// Refuses samples that are clearly in the wrong byte order, and adds a note if they may be.
+/// Refuses samples that are clearly in the wrong byte order, and adds a note if they are possibly in the
+/// wrong order.
 Expected<void> check_order(const NrrdHeader& header, ByteOrder order, Volume& volume) {
     if (header.encoding == NrrdEncoding::ascii) return {};
     const auto* other = header.big_endian ? "'endian: little'" : "'endian: big'";

@@ -244,7 +244,7 @@ double tether_energy(const Tether& tether, vec3 tip, double cap) {
     return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
 }
 
-/// Energy of the spring between tip and proxy that lets primitives act (J).
+/// Energy of the spring between the tip and the proxy, the point on which the primitives act (J).
 double coupling_energy(const ServoState& state, const HapticModel& model, vec3 tip, double cap) {
     const vec3 off = tip - state.proxy;
     return within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);

@@ -35,8 +35,8 @@ AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node
     return nodes;
 }
 
-/// Adds the values of a fluid's grid at the nodes of the patch, times `weight`, to `values`. They are linear
-/// between the grid's samples.
+/// Adds the values of a fluid's grid at the nodes of the patch, times `weight`, to `values`. The grid is read
+/// linearly between its samples.
 void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight, NodeValues& values) {
     if (!has_samples(grid) || weight == 0) return;
     const AxisOfNodes x = axis_of(grid, 0, patch.origin.x, patch.spacing);

@@ -259,7 +259,7 @@ double work_of_offset(double length, const SafetyInput& input) {
 
 /// Starts the fade of the offset that hides a jump of the wanted force; the output stays what it was. If
 /// another offset was still fading, the work that it did in its last tick counts for the new one. Otherwise
-/// no offset would ever give way while the force jumps in every tick.
+/// no offset would ever fade by its work while the force jumps in every tick.
 void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal,
                 const SafetyInput& input) {
     const bool goes_on = glm::length(state.offset) > fade_step(limits, input);

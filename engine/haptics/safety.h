@@ -50,7 +50,7 @@ struct SafetyLimits {
     double excess{};
     /// The same limit for the force of a tether, a spring that the world may stretch far (N).
     double spring_excess{};
-    double continuous{};  ///< largest root mean square of the output over 10 s, for cool motors (N)
+    double continuous{};  ///< largest root mean square of the output over 10 s that keeps the motors cool (N)
     double slew{};        ///< rate at which the offset that hides a jump of the force fades (N/s)
     /// Speed of the tip beyond which the force is cut until the hand is slow again (m/s).
     double max_speed{};

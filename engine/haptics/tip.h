@@ -24,7 +24,7 @@ struct Tip {
 /// distance between two measurable positions (m).
 Tip move_tip(ServoState& state, vec3 position, double quantum);
 
-/// Mean velocity of the tip over the stored positions (m/s); zero before the second one.
+/// Mean velocity of the tip over the stored positions (m/s); zero before the second position.
 vec3 tip_velocity(const ServoState& state);
 
 /// Smallest deviation from a line that counts as motion, not noise (m).

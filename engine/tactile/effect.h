@@ -28,7 +28,7 @@ inline constexpr double skin_speed = 1;
 
 /// Time from the first beat of a heart to the second (ms).
 inline constexpr double second_beat_ms = 160;
-/// Amplitude of the second beat as a share of the first one's.
+/// Amplitude of a heart's second beat as a share of the first beat's amplitude.
 inline constexpr double second_beat = 0.6;
 
 /// How a grating, the virtual ridges drawn over the skin, makes a force: along the normal of the flat wall

@@ -336,7 +336,7 @@ void TactileMixer::add_clip(const Playing& playing, const Effect& effect, double
     add_shares(playing, amplitude, energies);
 }
 
-/// Adds the beats of a heartbeat that fall into the frame. Returns false after the last one.
+/// Adds the beats of a heartbeat that fall into the frame. Returns false after the last beat.
 bool TactileMixer::add_heartbeat(Playing& playing, bool held, double ms) {
     const auto& effect = effect_of(playing);
     const double rate = effect.slowest_hz + (effect.fastest_hz - effect.slowest_hz) * playing.strength;

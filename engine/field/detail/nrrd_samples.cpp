@@ -33,8 +33,8 @@ struct FileOfSamples {
     Path path;
     FileReader* file{};
     std::size_t begin{};    ///< position of the first byte after the header and the skipped lines
-    std::size_t bytes{};    ///< number of bytes from there to the end of the file
-    Bytes start{};          ///< the first of these bytes, at most `start_bytes`
+    std::size_t bytes{};    ///< number of bytes from `begin` to the end of the file
+    Bytes start{};          ///< first bytes from `begin` on, at most `start_bytes`
     std::size_t samples{};  ///< number of samples that the header promises
 };
 

@@ -139,8 +139,8 @@ void SampleDecoder::next_run() {
     }
 }
 
-/// Puts `count` samples of a row into the volume, whose vector grows as far as they reach. So memory that the
-/// vector fills with zeros is still in the cache when the samples are written.
+/// Puts `count` samples of a row into the volume. The volume's vector grows only as far as these samples
+/// reach, so that the memory that it fills with zeros is still in the cache when they are written.
 template <class T>
 void SampleDecoder::convert(const std::byte* from, std::ptrdiff_t count) {
     const Axis row = axes_[0];

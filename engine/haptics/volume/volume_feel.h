@@ -53,7 +53,7 @@ MaterialField material_field_of(const Source& source) {
             }};
 }
 
-/// Feel of the voxels with one material index, as factors of what their densities give.
+/// Feel of the voxels with one material index, as factors of the forces that their densities give.
 struct MaterialFeel {
     double stiffness{1};  ///< factor of the force S along the gradient and of the strength of walls, >= 0
     double viscosity{1};  ///< factor of the drag R, >= 0
