@@ -54,7 +54,7 @@ struct FileAxes {
     Placement placement{};
 };
 
-/// Losses by the conversion of a file's samples to float.
+/// Measures of what was lost when the samples of a file were converted to float.
 struct Rounding {
     double low{}, high{};  ///< smallest and largest finite sample of the file
     double width{};        ///< high - low, computed in the file's number type
