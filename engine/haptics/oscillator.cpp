@@ -101,7 +101,7 @@ Twofold product(double a, double b) {
 /// The oscillator with times in units of t (see the top of this file).
 struct Scaled {
     double x{}, q{};
-    double z{};          ///< x^2 - q
+    double z{};          ///< x^2 - q; negative: the oscillator is underdamped
     double x_rounded{};  ///< rounding error of x: the exact product decay t minus x
 };
 

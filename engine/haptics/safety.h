@@ -148,7 +148,7 @@ struct SafetyInput {
     /// Part of `wanted` by the tether, a spring whose other end the world holds and may pull far away (N).
     vec3 spring{};
     /// Damping force that takes excess energy out of the hand (N, passivity controller). It is added to
-    /// `wanted` after the cap has cut that.
+    /// `wanted` after `wanted` was cut to the cap.
     vec3 brake{};
     /// Part of `wanted` by active sources (those that may push the hand), and their part of the last output
     /// (N).

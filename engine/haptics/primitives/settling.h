@@ -47,7 +47,8 @@ inline constexpr double still_range = 1e-4;
 /// padding.
 struct Settling {
     vec3 tip{};  ///< place of the tip in the last tick (m)
-    /// Place that follows the tip only beyond `still_range`; a tip that flickers within it rests (m).
+    /// Place that follows the tip only beyond `still_range`; a tip that flickers within this range counts as
+    /// at rest (m).
     vec3 rest{};
     vec3 step{};               ///< motion of the proxy in the last tick (m)
     vec3 balance{};            ///< place at which spring and primitives were in balance in the last tick (m)

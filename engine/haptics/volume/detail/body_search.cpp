@@ -343,7 +343,7 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
     const double most = std::min(depth_share * depth, max_eased * fine_), late = max_late * sample;
     const double wanted = std::clamp(step, -most, most);
-    // The tip's motion along the normal changes the force, too, so the plane may move by that much less.
+    // The tip's motion along the normal changes the force, too, so it leaves less of the slew to the plane.
     const double up = std::max(slew + std::min(own, 0.0), min_slew * slew);
     const double down = std::max(slew - std::max(own, 0.0), min_slew * slew);
     const double lowest = std::min({height - down, sinking_share * depth, late});
