@@ -4,12 +4,13 @@
 // Two kinds of body have steps that are larger than a sample: one whose samples lie farther apart along one
 // axis, as slices of a scan do, and one whose samples have few values, as those of a mask do. A block is as
 // wide along each axis as the widest spacing. It is twice as wide if there are few values, or if slices are
-// twice as far apart as samples and hard: a surface lies between two slices, where slices that average their
-// thickness would show it by values in between. So the averages are equally far apart along all axes and have
-// values in between.
+// at least twice as far apart as the samples within them and are hard: the values jump from one slice to the
+// next, while in slices that average their whole thickness a surface shows values in between. So the averages
+// are equally far apart along all axes and have values in between.
 //
-// The wider blocks are not for all, because they blur curved surfaces unevenly. In slices of 3 mm, they turn
-// the normals of a ring with a tube of 18 mm by up to 5.9 degrees, the others by 1.6.
+// The wider blocks are used only where they are needed, because they blur curved surfaces unevenly. In slices
+// of 3 mm, they turn the normals of a ring with a tube of 18 mm by up to 5.9 degrees, the narrower ones by up
+// to 1.6.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -37,8 +38,8 @@ struct BlockAverages {
     Grid grid(const Grid& of) const;
 };
 
-/// Averages of a grid's samples; empty if its samples make no coarse steps. `bricks`, which number the
-/// changes of a body part by part, are needed if the body may change, else null.
+/// Averages of blocks of a grid's samples; empty if each block would be a single sample. `bricks`, which
+/// number the changes of a body part by part, are needed if the body may change, else null.
 BlockAverages make_block_averages(const Grid& grid, const Bricks* bricks = nullptr);
 
 /// Recomputes the averages of the parts of a body that have changed. No allocation.

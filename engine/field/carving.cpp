@@ -207,7 +207,8 @@ bool change(const VoxelView& body, const Cast& cast, const Properties& changes, 
     return changed;
 }
 
-/// Which voxels of a brick (8 x 8 x 8 voxels) have changed: a bit for each voxel, a byte for each row.
+/// Marks of the voxels of a brick (8 x 8 x 8 voxels) that have changed: a bit for each voxel, a byte for each
+/// row.
 using Changed = std::array<std::uint8_t, brick_size * brick_size>;
 
 /// Applies an operation to a row of voxels, which begins at `first`. Returns a bit for each voxel that
@@ -253,7 +254,7 @@ void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, Chang
     }
 }
 
-/// Adds the number of changed voxels of a brick, and a box around them, to the result.
+/// Adds the number of changed voxels of a brick (block of voxels), and a box around them, to the result.
 void count_changed(const Changed& changed, const VoxelBox& brick, Edit& result) {
     const std::size_t before = result.voxels;
     for (int row = 0; row < brick_size * brick_size; ++row) {

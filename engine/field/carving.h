@@ -10,9 +10,9 @@
 // the constant: otherwise a melted voxel would never become empty, and its density would end as a denormal
 // number, which takes many times as long to compute with.
 //
-// Colours have 8 bits, so a weak filter would change nothing after rounding. The fraction
-// is therefore rounded up or down at random, with the right mean. The paper reports this
-// as the limit of its rate of edits.
+// Colours have 8 bits, so a weak filter would change nothing after rounding. The fraction is therefore
+// rounded up or down at random, with the right mean. According to the paper, this rounding limits its rate of
+// edits.
 #pragma once
 #include "field/carving_tools.h"
 #include "field/voxels.h"

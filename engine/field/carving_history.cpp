@@ -31,8 +31,8 @@ BrickCopy& copy_at(CarvingHistory& history, std::uint64_t number) {
     return history.ring[static_cast<std::size_t>(number % history.capacity)];
 }
 
-/// A new copy of a brick, at the end of the ring buffer. The buffer grows up to its capacity, so that unused
-/// memory is never touched.
+/// Adds a copy of a brick (block of voxels) at the end of the ring buffer. The buffer grows up to its
+/// capacity, so that unused memory is never touched.
 BrickCopy& new_copy(CarvingHistory& history) {
     const std::uint64_t number = history.next++;
     if (number % history.capacity == history.ring.size()) history.ring.emplace_back();
@@ -50,7 +50,8 @@ void exchange(BrickCopy& copy, const VoxelView& body) {
                  [](auto* kept, auto* current, std::size_t n) { std::swap_ranges(kept, kept + n, current); });
 }
 
-/// Whether a brick still equals its copy. Compares bits, so that a density that is NaN equals itself.
+/// Whether a brick (block of voxels) still equals its copy. Compares bits, so that a density that is NaN
+/// equals itself.
 bool is_unchanged(const BrickCopy& copy, const VoxelView& body) {
     bool same = true;
     for_each_run(copy, body, [&](const auto* kept, const auto* current, std::size_t n) {
@@ -74,8 +75,8 @@ void open_step(CarvingHistory& history) {
     ++history.mark;
 }
 
-/// Forgets the steps (strokes) that could be redone, but not the open step after them. That one then counts
-/// as the last step that is done.
+/// Forgets the steps (strokes) that could be redone, but not the open step after them. The open step then
+/// counts as the last step that is done.
 void forget_redo(CarvingHistory& history) {
     if (!history.open || history.done == history.steps.size()) return;
     const auto from = history.steps.begin() + static_cast<std::ptrdiff_t>(history.done);
@@ -110,8 +111,8 @@ bool make_room(CarvingHistory& history, std::uint64_t copies) {
     return true;
 }
 
-/// Exchanges the bricks that a step (the record of a stroke) holds with those of the body, which undoes the
-/// step or redoes it. Returns a box around these bricks.
+/// Exchanges the bricks (blocks of voxels) that a step (the record of a stroke) holds with those of the body,
+/// which undoes the step or redoes it. Returns a box around these bricks.
 VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelView& body) {
     VoxelBox changed;
     Bricks& bricks = *body.bricks;
@@ -125,8 +126,8 @@ VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelV
     return changed;
 }
 
-/// Drops the copies of bricks that did not change from the open step (the record of the current stroke), and
-/// the step itself if none is left.
+/// Drops the copies of bricks (blocks of voxels) that did not change from the open step (the record of the
+/// current stroke), and the step itself if no copy is left.
 void drop_unchanged(CarvingHistory& history, const VoxelView& body) {
     CarvingStep& step = history.steps.back();
     std::uint64_t changed = 0;

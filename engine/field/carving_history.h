@@ -47,9 +47,10 @@ struct CarvingHistory {
     std::deque<CarvingStep> steps{};
     std::size_t done{};  ///< number of steps that can be undone
     bool open = false;   ///< true: a stroke goes on, and new edits belong to the last step
-    /// Number of the open step, with which `kept_in` marks the bricks that it has copied.
+    /// Number of the open step (current stroke), with which `kept_in` marks the bricks that it has copied.
     std::uint32_t mark{};
-    std::vector<std::uint32_t> kept_in{};  ///< for each brick: mark of the last step that has a copy of it
+    /// For each brick (block of voxels): mark of the last step (stroke) that has a copy of it.
+    std::vector<std::uint32_t> kept_in{};
 };
 
 inline constexpr std::size_t usual_history_bytes = std::size_t{64} << 20U;

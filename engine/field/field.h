@@ -3,16 +3,16 @@
 //     Grid, StaggeredGrid (samples, here) ------.
 //     a formula (anything that can be called) --+--> Field: place -> value, derivatives -> curl, divergence
 //
-// Between samples a kernel weights the nearest two or four, in the same way along each axis. Its order along
-// each axis:
+// Between samples a kernel weights the nearest two or four, in the same way along each axis. The table has
+// the polynomials that it reproduces, and its errors as orders of the distance h between samples:
 //
 //     kernel        exact for     error of value, gradient    gradient
 //     linear        degree 1      h^2, h                      jumps between cells
 //     catmull_rom   degree 2      h^3, h^2                    continuous
 //
-// The second kernel is from Keys 1981, "Cubic convolution interpolation". A cubic B-spline over the same four
-// samples takes the same time. At 32 samples a wave its gradient was 7 times and its value 100 times as
-// wrong, so it is not offered.
+// The kernel catmull_rom is from Keys 1981, "Cubic convolution interpolation". A cubic B-spline over the same
+// four samples takes the same time. At 32 samples a wave, the error of its gradient was 7 times and that of
+// its value 100 times as large, so it is not offered.
 //
 // The orders hold up to the outermost samples. If one of the four samples is missing there, the parabola
 // through the nearest three replaces it. Outside the samples the value is that of the nearest place inside,

@@ -11,8 +11,8 @@
 //     clamp         scalar        scalar    at least a, at most b
 //     smooth        either        same      Gaussian average, a = standard deviation in samples (0 to 16)
 //
-// All but `smooth` work where they are read and need no memory. `smooth` averages samples of its input once,
-// and again only if its input or its parameter has changed.
+// All filters but `smooth` are computed at the place that is read and need no memory. `smooth` averages
+// samples of its input once, and again only if its input or its parameter has changed.
 //
 // Derivatives of the results are exact for magnitude, scale and clamp, by the chain rule. Those of gradient,
 // curl and divergence are second derivatives of the source. They are central differences over one sample to
@@ -41,7 +41,8 @@
 
 namespace thaum::field {
 
-/// What a filter computes: the length of a vector, derivatives, a x + b, limits, or a Gaussian average.
+/// Result that a filter computes: the length of a vector, derivatives, a x + b, limits, or a Gaussian
+/// average.
 enum class FilterKind : std::uint8_t { magnitude, gradient, curl, divergence, scale, clamp, smooth };
 
 /// Names of all kinds, in their order.
@@ -110,7 +111,8 @@ struct SmoothedSamples {
 /// A field with a chain of filters behind it. Fields refer to this object, so it must not be moved.
 struct FilteredField {
     AnyField field{};  ///< the output, with value and gradient
-    /// Output with the same value in less time; gradients that would need differences are 0.
+    /// Output with the same value in less time; gradients that would have to be computed by differences are
+    /// 0.
     AnyField quick{};
     std::array<FilterStage, max_filters> stages{};
     std::vector<std::unique_ptr<SmoothedSamples>> smoothed{};

@@ -32,7 +32,7 @@ Error fail_file(const Path& path, std::string_view message) {
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// Which axis of a file becomes which axis of a volume, and how they lie in space.
+/// Correspondence of a file's axes to those of a volume, and how they lie in space.
 struct Arrangement {
     std::array<std::size_t, 3> from{0, 1, 2};  ///< index of the file's axis for each axis of the volume
     std::array<bool, 3> is_reversed{};
@@ -133,7 +133,8 @@ FileAxes axes_of(const NrrdHeader& header, const Arrangement& a, const Volume& v
     return axes;
 }
 
-/// Refuses samples that are clearly in the wrong byte order, and adds a note if they may be.
+/// Refuses samples that are clearly in the wrong byte order, and adds a note if they are possibly in the
+/// wrong order.
 Expected<void> check_order(const NrrdHeader& header, ByteOrder order, Volume& volume) {
     if (header.encoding == NrrdEncoding::ascii) return {};
     const auto* other = header.big_endian ? "'endian: little'" : "'endian: big'";
@@ -148,7 +149,7 @@ Expected<void> check_order(const NrrdHeader& header, ByteOrder order, Volume& vo
     return {};
 }
 
-/// Where a file has the samples of one moment of time, in the order of the volume.
+/// Positions of the samples of one moment of time in a file, in the order of the volume.
 StoredOrder order_of(const NrrdHeader& header, const Arrangement& a, int frame) {
     StoredOrder order{.first = frame * header.frame_stride, .component_stride = header.component_stride};
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,14 +1,14 @@
 // field/nrrd.h: volumes in NRRD files (teem.sourceforge.net/nrrd/format.html), the usual format of scans in
 // research.
 //
-// What is read: three axes of space, in any order with at most one axis of components (3, or colours) and one
-// of time; integers of 8 to 64 bits, float and double, in either byte order; the encodings raw, gzip and
-// ascii; samples in the same file, in another one, or in several (LIST, or a pattern such as "slice%03d.raw 1
-// 40 1"), after skipped lines and bytes. From a file with time, one moment is read, and from colours, the
-// luminance. What is not read: other kinds of axes (list, matrices, quaternions), two axes of space or four,
-// spaces with time, the encodings hex and bzip2, and block types. An error of one line names each of these.
-// The samples come out with x fastest along the axes of the file's space. What a header says about space is
-// kept as follows:
+// The reader accepts three axes of space, in any order, at most one axis of components (3, or colours) and
+// one of time. Samples may be integers of 8 to 64 bits, float or double, in either byte order, in the
+// encodings raw, gzip and ascii. They may be in the same file, in another one, or in several (LIST, or a
+// pattern such as "slice%03d.raw 1 40 1"), after skipped lines and bytes. From a file with time, one moment
+// is read, and from colours, the luminance. The reader refuses other kinds of axes (list, matrices,
+// quaternions), two axes of space or four, spaces with time, the encodings hex and bzip2, and block types. An
+// error of one line names each of these. The samples come out with x fastest along the axes of the file's
+// space. The reader keeps the header's values about space as follows:
 //
 //     space directions along the axes of space   samples are put in order; their lengths are the spacing
 //     directions turned against those axes       placement.turn
@@ -18,7 +18,7 @@
 //     only spacings                              the same; without an origin, the middle of the samples
 //                                                is at 0
 //     "nan" or "none"                            not given
-//     units (space units, or units of the axes)  metres come out; without units, or with units that are none
+//     units (space units, or units of the axes)  lengths become m; without units, or with units that are none
 //                                                of length, such as "pixel", lengths are mm, as in medicine
 //     axis mins and maxs without spacings        their difference over the samples, or over the gaps of
 //                                                nodes; their place is left out
@@ -48,7 +48,7 @@
 
 namespace thaum::field {
 
-/// How to read an NRRD file.
+/// Choices for reading an NRRD file.
 struct ReadChoice {
     /// Largest number of samples times components that is accepted, over all moments of time.
     std::size_t limit = max_samples;

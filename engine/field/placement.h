@@ -67,7 +67,7 @@ struct SampleBox {
     /// Averages of blocks of samples. Surface directions that are computed from them show fewer steps
     /// (field/block_averages.h). May be empty.
     Grid averages{};
-    bool coarse_steps{};    ///< only averages show directions (BlockAverages::coarse_steps)
+    bool coarse_steps{};    ///< true: only averages show directions of surfaces (BlockAverages::coarse_steps)
     ShownRange shown{};     ///< range of shown values, used for samples that are not finite
     vec3 middle{}, half{};  ///< middle of the box and half of its extent (m, frame of the samples)
     vec3 spacing{1};        ///< distance between samples along each axis (m, frame of the samples)

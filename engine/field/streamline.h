@@ -16,7 +16,7 @@
 
 namespace thaum::field {
 
-/// How a streamline is traced.
+/// Settings for tracing a streamline.
 struct StreamlineSettings {
     double length = 1;        ///< length at which the line ends (m)
     bool upstream = false;    ///< true: follows the field backwards

@@ -39,7 +39,8 @@ double bend(vec2 before, vec2 here, vec2 after) {
     return std::abs(a.x * b.y - a.y * b.x);
 }
 
-/// Removes points until the others fit, but never the first, the last, or the point at x = kept.
+/// Removes points until the others fit into a function, but never the first, the last, or the point at x =
+/// kept.
 void thin_out(Draft& draft, double kept) {
     while (draft.count > max_transfer_points) {
         std::size_t least = 0;

@@ -54,7 +54,7 @@ struct FileAxes {
     Placement placement{};
 };
 
-/// What converting the samples of a file to float has changed.
+/// Measures of what was lost when the samples of a file were converted to float.
 struct Rounding {
     double low{}, high{};  ///< smallest and largest finite sample of the file
     double width{};        ///< high - low, computed in the file's number type
@@ -99,7 +99,7 @@ struct Volume {
 };
 
 /// Gives `volume` the placement, frame and file vectors of another volume with the same number of samples. A
-/// file written from it then says the same place in the same bits.
+/// file written from it then has the same place to the last bit.
 void lie_as(Volume& volume, const Volume& other);
 
 /// Smallest and largest finite sample of a volume; (0, 0) if there is none.

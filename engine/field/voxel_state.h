@@ -1,8 +1,8 @@
 // field/voxel_state.h: hash and snapshots of a body of voxels.
 //
-// Both go brick by brick (8 x 8 x 8 voxels). The hash of the whole body combines a hash for each brick, so
-// after an edit only the changed bricks are read again. In a snapshot a brick of equal voxels takes 9 bytes
-// instead of 4 KB. Most bricks are like that, either empty or solid.
+// Hash and snapshots are computed brick by brick (8 x 8 x 8 voxels). The hash of the whole body combines a
+// hash for each brick, so after an edit only the changed bricks are read again. In a snapshot a brick of
+// equal voxels takes 9 bytes instead of 4 KB. Most bricks are like that, either empty or solid.
 #pragma once
 #include "core/bytes.h"
 #include "core/error.h"

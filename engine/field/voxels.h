@@ -51,15 +51,17 @@ VoxelBox around(const VoxelBox& a, const VoxelBox& b);
 /// Voxels that lie in both boxes.
 VoxelBox overlap(const VoxelBox& a, const VoxelBox& b);
 
-/// Voxels along each edge of a brick.
+/// Voxels along each edge of a brick (a block of voxels).
 inline constexpr int brick_size = 8;
 inline constexpr int voxels_of_brick = brick_size * brick_size * brick_size;
 
-/// Which parts of a body have changed, brick by brick. A reader that keeps a copy also keeps the value of
-/// `newest` at its last look. Later it reads again only bricks whose version is above that value.
+/// Record of the parts of a body that have changed, brick by brick (block of 8 x 8 x 8 voxels). A reader that
+/// keeps a copy also keeps the value of `newest` at its last look. Later it reads again only bricks whose
+/// version is above that value.
 ///
 /// The versions are no part of the body's state. They never go back, not even when an older state is
-/// restored. Otherwise a reader could not tell two futures of one state apart.
+/// restored. Otherwise a reader could take its copy of a brick from before for the brick as it was changed
+/// after the restoration.
 struct Bricks {
     std::array<int, 3> count{};
     std::vector<std::uint32_t> version{};  ///< value of `newest` when each brick last changed
@@ -75,7 +77,7 @@ struct Bricks {
     }
 };
 
-/// Bricks for this many voxels. All of them have version 1.
+/// Bricks (blocks of 8 x 8 x 8 voxels) of a body of this many voxels. All of them have version 1.
 Bricks make_bricks(std::array<int, 3> voxels);
 
 /// A body whose arrays belong to another object.
@@ -134,7 +136,7 @@ Voxels make_voxels(std::array<int, 3> count, vec3 spacing);
 /// The box of the voxels of one brick (a block of 8 x 8 x 8 voxels).
 VoxelBox brick_box(std::array<int, 3> voxels, std::array<int, 3> brick);
 
-/// Bricks that hold voxels of the box, as a box of bricks.
+/// Bricks (blocks of 8 x 8 x 8 voxels) that hold voxels of the box, as a box of bricks.
 VoxelBox bricks_around(const VoxelBox& box);
 
 /// Calls visit(brick, number) for each brick of the box of bricks `some`, x fastest.

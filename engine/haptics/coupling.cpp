@@ -25,8 +25,9 @@ CouplingStep coupling_step(Coupling coupling, double inverse_object, double inve
 
 // With e = P_HIP - P_obj (hand's point minus object), object and hand obey e'' + 2 decay e' + frequency2 e =
 // g, where g comes from constant forces and from the drag alone. The integral of stiffness e + damping e'
-// over the step gives the impulse. Its coefficients are all positive, so no digits are lost. The object moves
-// like the centre of mass minus its share of e. With a prescribed hand, the centre of mass is the hand.
+// over the step gives the impulse. The coefficients of this integral are all positive, so no digits are lost.
+// The object moves like the centre of mass minus its share of e. With a prescribed hand, the centre of mass
+// is the hand.
 CouplingResult couple(const CouplingStep& step, const CouplingState& state) {
     const auto& [k, b, drag] = step.coupling;
     const auto& [t, s, s1, s2] = step.response;

@@ -26,7 +26,7 @@ struct Coupling {
     double drag{};
 };
 
-/// A coupling, with all that can be computed in advance for one step length and two masses.
+/// A coupling, with the constants that depend only on the step length and the two masses.
 struct CouplingStep {
     Coupling coupling{};
     double inverse_object{};  ///< inverse mass of the object (1/kg)
@@ -65,8 +65,8 @@ struct CouplingResult {
     vec3 displacement{};  ///< displacement of the object over the step if nothing else touches it (m)
 };
 
-/// Advances a coupling between hand and object by one step. Exact to rounding. Finite for finite input that
-/// does not overflow.
+/// Advances a coupling between hand and object by one step. The result is exact to rounding, and finite for
+/// finite input that does not overflow.
 CouplingResult couple(const CouplingStep& step, const CouplingState& state);
 
 /// Transform between device frame and world frame, with a scale for lengths and one for forces (HAPTICS.md,

@@ -11,7 +11,7 @@ namespace thaum::haptics {
 /// Largest delay from a measured position to its force that a device may have (ticks).
 inline constexpr int max_latency = 8;
 
-/// What a force feedback device can do.
+/// Abilities and physical properties of a force feedback device.
 struct DeviceSpec {
     std::string name{};
     int sensed{};               ///< measured degrees of freedom: 3, 6 or 7 (the seventh is a gripper)

@@ -73,7 +73,7 @@ void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double
                              observer.forces[observer.newest].share * supplied;
         observer.created += given;
         use_reserve(observer, given, stored);
-        // Of the energy received, only the stored part can come back. Damping has dissipated the rest.
+        // Only the stored part of the energy received can come back. Damping has dissipated the rest.
         observer.created = std::max(observer.created, -stored);
         observer.most_created = std::max(observer.most_created, observer.created);
         add_active_work(observer, glm::dot(force.active, step));
@@ -94,7 +94,7 @@ vec3 passivity_control(double energy, vec3 velocity, double most) {
 
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output) {
     constexpr double no_force =
-        1e-6;  // a force that is nothing but rounding (N): its direction means nothing
+        1e-6;  // largest force that counts as rounding error, so that its direction means nothing (N)
     const double step = observer.held_back == HeldBack::by_energy ? held_brake_step : brake_step;
     const double size_of_braked = glm::length(braked), before = glm::length(observer.brake);
     const double most = size_of_braked > no_force ? size_of_braked : 0;
@@ -123,8 +123,8 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
 }
 
 double fade_energy(const PassivityObserver& observer, double pending) {
-    // The springs may still give their reserve to the hand, so it counts as given. Energy that they received
-    // since the last switch does not raise the fading offset's work above `switch_energy`.
+    // The springs may still give their reserve to the hand, so the reserve counts as energy already given.
+    // `created` falls by energy that springs receive, but the offset's work stays at most `switch_energy`.
     const double reserve = observer.held_back == HeldBack::by_energy ? observer.reserve : 0;
     const double passive =
         reserve_energy + switch_energy - (observer.created + reserve) - std::max(0.0, pending);
@@ -138,7 +138,7 @@ double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, 
     const double size2 = glm::dot(force, force);
     const double outward = size2 > 0 ? glm::dot(force, step) / std::sqrt(size2) : 0;
     if (!(outward > 0)) return steady_change;
-    // Smallest energy that counts as left to be created (J): it bounds how fast the force falls.
+    // Lower bound of `left`, the energy that may still be created (J): it bounds how fast the force falls.
     constexpr double least = 0.001;
     const double left = std::max(least, max_slow_creation - observer.created - std::max(0.0, pending));
     return std::max(steady_change, (size2 / (2 * left) - stiffness) * outward);
@@ -163,8 +163,9 @@ void forgive(PassivityObserver& observer, bool springs_pull) {
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness) {
     if (observer.held_back == HeldBack::no || !(stiffness > 0)) return;
     if (observer.held_back == HeldBack::by_work && springs.from_field) return;
-    // The force lags the hand by a tick. So a spring of the device's stiffness receives a little less than it
-    // holds: less by its force times the motion of a tick.
+    // `nearly`: share of the energy of a spring with the device's stiffness that the springs must have
+    // received. It is below 1 because the force lags the hand by a tick, so that such a spring receives a
+    // little less than it holds. `settled`: largest created energy that counts as zero (J).
     constexpr double nearly = 0.8, settled = 1e-6;
     const double pull = springs.pull;
     const double owed = std::max(springs.energy - energy_slack, nearly * pull * pull / (2 * stiffness));
@@ -182,9 +183,9 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
 }
 
-// The safety stage's cap and heat limit scale all sources alike. The offset that fades after a jump is
-// passive where passive sources left it, like the controller's brake: it returns energy that was received and
-// hardly any more, since the springs' reserve limits it.
+// The safety stage's cap and heat limit scale all sources alike. The controller's brake counts as passive,
+// and so does the offset that fades after a jump, except for the part that active sources left. The offset
+// returns energy that was received and hardly any more, since the springs' reserve limits it.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested, vec3 active_offset) {
     const vec3 wanted = passive + active;
@@ -214,7 +215,8 @@ void record_ramp(PassivityObserver& observer, vec3 output) {
 
 namespace {
 
-/// Potential of a primitive, above its minimum (J).
+/// Potential energy of a primitive (J) if the proxy is at this place; the minimum is 0, and a directed force
+/// counts as 0.
 double potential(const Primitive& primitive, vec3 proxy) {
     const vec3 off = proxy - primitive.position;
     const double along = glm::dot(off, primitive.direction);
@@ -242,14 +244,14 @@ double tether_energy(const Tether& tether, vec3 tip, double cap) {
     return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
 }
 
-/// Energy of the spring between tip and proxy that lets primitives act (J).
+/// Energy of the spring between the tip and the proxy, the point on which the primitives act (J).
 double coupling_energy(const ServoState& state, const HapticModel& model, vec3 tip, double cap) {
     const vec3 off = tip - state.proxy;
     return within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
 }
 
-/// Energy that tether and primitives hold (J). A force is felt up to the cap only, so the hand never put in
-/// the energy of a larger one.
+/// Energy that the springs of tether and primitives hold (J). A force is felt only up to the cap, the largest
+/// allowed force, so the hand never put in the energy of a larger force.
 double spring_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
                      double cap) {
     double held = tether_energy(tether, tip, cap);
@@ -355,7 +357,7 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
     PassivityObserver& energy = state.energy;
     if (!(taken > 0) && energy.brake == vec3(0)) return vec3(0);
     vec3 brake{};
-    // With no energy to take out, the velocity is not computed: it takes half the time of a quiet step.
+    // The velocity is computed only where it is needed, because it takes half the time of a quiet step.
     if (taken > 0) {
         const vec3 velocity = prompt_velocity(state, servo.quantum);
         brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
@@ -367,8 +369,9 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
     return steady_brake(energy, brake, held_back ? sources.springs : sources.passive, state.safety.output);
 }
 
-/// Work of the forces that have not acted yet, for the budget of an offset that may fade in this tick (J).
-/// In a quiet tick none fades, and the motion of the tip would take a third of the time of the step.
+/// Work of the forces that have not acted yet, for the budget of an offset that may fade in this tick (J). In
+/// a quiet tick no offset fades. The result is then 0, because computing the motion of the tip would take a
+/// third of the time of the step.
 double work_beside_fade(const Servo& servo, const ServoState& state, const Tip& tip) {
     const SafetyState& safety = state.safety;
     const bool may_fade = safety.fade != static_cast<std::uint32_t>(Fade::over) || tip.jumps ||
@@ -378,8 +381,8 @@ double work_beside_fade(const Servo& servo, const ServoState& state, const Tip& 
 }
 
 /// Limits the change of the force after a switch, and holds the springs back until they hold no more energy
-/// than they received. The offset takes up every jump in a tick in which the springs `may_give` more than
-/// before, and while the primitives still move to their place after a switch.
+/// than they received. In a tick in which the springs `may_give` more than before, and while the primitives
+/// still move to their place after a switch, the limit may jump: the fading offset hides the jump.
 EnergyLimits limits_after_switch(const Servo& servo, ServoState& state, const Tip& tip, bool may_give,
                                  const HeldSprings& springs, Sources& sources) {
     PassivityObserver& energy = state.energy;
@@ -425,8 +428,8 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
                               .may_lie_ahead = from_field && conservative(model.primitives)};
     EnergyLimits limits = limits_after_switch(servo, state, tip, may_give, pulling, sources);
     state.energy.spring_force = std::min(pulling.pull, limits.reserve_force);
-    // Energy that a field holds beyond the coupling may have been there before the hand came. The reserve
-    // limits it, so the hand must not be braked for it.
+    // A field of forces may hold energy that was there before the hand came. The reserve limits it, so the
+    // hand must not be braked for it: only the spring from the tip to the proxy counts then.
     const bool by_work = state.energy.held_back == HeldBack::by_work;
     const double returned =
         by_work ? std::min(held, coupling_energy(state, model, tip.position, felt)) : held;

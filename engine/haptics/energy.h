@@ -7,21 +7,21 @@
 // moves the spring's other end. Active sources (pulses, steady and directed forces, a fluid's flow)
 // may push the hand within a budget.
 //
-// A switch (a source of force comes, ends or jumps) may leave springs that hold more than they received:
-// material that grew at the hand, a largest force that was raised, forces that come back. No damper takes
-// that much out of a hand that rests. So from a switch on, a reserve holds the springs back: the energy that
-// they received and still hold, plus `reserve_energy`. They pull no harder than a spring of the device's
-// largest stiffness with that energy, F <= sqrt(2 k reserve). A hand that yields feels the spring relax, and
-// a hand that presses in again stretches it from there. The reserve is computed from the account `created`,
-// which a switch does not reset. So many switches together give no more than one. Created energy is forgotten
-// in the course of time only (`forgive`).
+// A switch (a source of force comes, ends or jumps) may leave springs that hold more energy than they
+// received: after material grew at the hand, after the largest force was raised, or after forces were
+// switched on again. No damper takes that much energy out of a hand that rests. So from a switch on, a
+// reserve holds the springs back: the energy that they received and still hold, plus `reserve_energy`. They
+// pull no harder than a spring of the device's largest stiffness k with that energy, F <= sqrt(2 k reserve).
+// A hand that yields feels the spring relax, and a hand that presses in again stretches it from there. The
+// reserve is computed from the account `created`, which a switch does not reset. So many switches together
+// give no more than one. Created energy is forgotten in the course of time only (`forgive`).
 //
-// A field of forces (haptic modes) may hold more energy than is seen where the hand is. Example: a body of
-// even density appears around the hand. The hand feels nothing in its midst, but is pushed out as soon as it
-// moves to the body's edge. So the reserve of springs that are chosen from a field does not end while there
-// are such springs. Once they hold no more than they received, it counts all the work that the hand has done
-// since the first switch, also against drag: they give no more than this work and the reserve of the
-// beginning.
+// A field of forces (haptic modes) may hold more energy than can be seen at the place of the hand. Example: a
+// body of even density appears around the hand. The hand feels nothing in its midst, but is pushed out as
+// soon as it moves to the body's edge. So the reserve of springs that are chosen from a field does not end
+// while there are such springs. Once the springs hold no more than they received, the reserve counts all the
+// work that the hand has done since the first switch, also against drag: the springs give no more than this
+// work and the reserve of the beginning.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
@@ -77,14 +77,15 @@ struct PassivityObserver {
     /// Energy that springs may still give after a switch (a source of force came, ended or jumped), unless
     /// `held_back` is `no` (J).
     double reserve{};
-    double work_reserve{};         ///< the reserve as it would be `by_work` since the first switch (J)
+    /// Value that `reserve` would have if it counted the hand's work (`by_work`) since the first switch (J).
+    double work_reserve{};
     std::uint32_t active_bin{};    ///< index of the bin of `active` that is being filled
     std::uint32_t active_tick{};   ///< number of ticks so far in that bin
     std::uint32_t newest{};        ///< index of the last command in `forces`
     std::uint32_t has_position{};  ///< 1: `position` was measured in the last tick; 0: it is unknown
     HeldBack held_back{};          ///< whether `reserve` limits the springs, and what adds to it
     std::uint32_t unsettled{};     ///< ticks left in which the sources' forces may still jump after a switch
-    vec3 brake{};                  ///< brake, the force that took out excess energy, in the last tick (N)
+    vec3 brake{};                  ///< force that took excess energy out of the hand in the last tick (N)
     double spring_force{};         ///< length of the springs' force in the last tick (N)
 };
 static_assert(sizeof(PassivityObserver) ==
@@ -108,8 +109,8 @@ inline constexpr double reserve_energy = 0.008;
 void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double stored, int latency,
              double supplied = 0);
 
-/// Tolerance of the passivity controller (J). If the springs gave back all the energy that they hold now, the
-/// created energy would rise by it. The controller takes out at once what this future sum has above the
+/// Tolerance of the passivity controller (J). The controller computes the energy that would be created if the
+/// springs gave back all the energy that they hold now. It takes out at once what this energy has above the
 /// tolerance.
 inline constexpr double energy_slack = 0.003;
 
@@ -128,16 +129,17 @@ double surplus(const PassivityObserver& observer, double held);
 /// most `most` (N s/m).
 vec3 passivity_control(double energy, vec3 velocity, double most);
 
-/// Largest change of the brake in a tick (N): in general, and while springs are held back after a switch. The
-/// latter and `reserve_step` together stay below `steady_change`, the largest change of the output.
+/// Largest change of the brake (the force that takes excess energy out of the hand) in a tick (N):
+/// `brake_step` in general, `held_brake_step` while springs are held back after a switch. `held_brake_step`
+/// and `reserve_step` together stay below `steady_change`, the largest change of the output.
 inline constexpr double brake_step = 0.3, held_brake_step = 0.15;
 
 /// Moves the brake, a damping force, towards `wished`, the one that the passivity controller asks for (N). It
 /// moves by at most `brake_step` or `held_brake_step`, since a brake that began at once would be a jump.
 /// Against the force that it brakes, `braked` (N), the brake is at most as strong as that force. So it can
-/// cancel the force, but cannot pull a hand that leaves a wall back into the wall. In other directions a
-/// brake longer than `braked` ends by one step a tick. Where `braked` is zero, the last output (N) takes its
-/// place.
+/// cancel the force, but cannot pull a hand that leaves a wall back into the wall. A brake in other
+/// directions that is longer than `braked` becomes shorter by one step a tick. Where `braked` is zero, the
+/// last output (N) takes its place.
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
@@ -154,20 +156,21 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active);
 /// budget of active sources runs out. `pending` is the work of forces that have not acted yet (J).
 double fade_energy(const PassivityObserver& observer, double pending);
 
-/// Energy up to which the output changes slowly at a switch (J). If a slow change would create more energy,
-/// the output changes faster.
+/// Largest energy that passive sources may create while the output changes slowly at a switch (J). If a slow
+/// change would create more, the output changes faster.
 inline constexpr double max_slow_creation = 0.019;
 
 /// Largest change in a tick of a force that fades (N), beyond that of a spring with the device's `stiffness`
-/// (N/m). `step` is the motion of the tip (m), `pending` the work of forces that have not acted yet (J). A
-/// force F that falls by r a second and by one spring k gives F^2 v / 2 (r + k v) to a hand at speed v. Only
-/// where that is more than may still be created, the force falls faster than `steady_change`: as fast as a
-/// spring that holds no more than that.
+/// k (N/m). `step` is the motion of the tip (m), `pending` the work of forces that have not acted yet (J). A
+/// hand that yields at the speed v gets F^2 v / (2 (r + k v)) from a force F that falls by r (N/s) in time
+/// and by k for each metre. Only where that is more energy than may still be created, the force falls faster
+/// than `steady_change`: as fast as a spring that holds just this energy.
 double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, double pending,
                       double stiffness);
 
 /// Begins a reserve, the energy that springs may still give after a switch. A reserve by energy that is
-/// already running is not reduced. One by work waits until the springs hold no more than they received.
+/// already running is not reduced. A reserve that counts the hand's work (HeldBack::by_work) is set aside
+/// until the springs hold no more than they received.
 void hold_back(PassivityObserver& observer);
 
 /// Forgets a part of the created energy, which passive sources gave in excess, in a tick while springs are
@@ -187,17 +190,17 @@ struct HeldSprings {
 
 /// Ends the reserve, the limit of the energy that springs give after a switch, once they hold no more energy
 /// than they received. For springs that do not pull, it ends once `created` is about zero and they cannot
-/// push as soon as the hand moves. The reserve of springs from a field does not end, but goes by work from
-/// then on. `stiffness` is the device's largest (N/m).
+/// push as soon as the hand moves. The reserve of springs from a field does not end, but counts the hand's
+/// work from then on (HeldBack::by_work). `stiffness` is the device's largest (N/m).
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness);
 
-/// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is
-/// the motion of the tip along their force in a tick (m). `pending` is the work of their forces that are
-/// commanded but have not acted yet (J). `stiffness` is the device's largest (N/m).
+/// Largest force of the springs that the reserve allows (N); infinite if the springs are not held back.
+/// `outward` is the motion of the tip along their force in a tick (m). `pending` is the work of their forces
+/// that are commanded but have not acted yet (J). `stiffness` is the device's largest (N/m).
 double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness);
 
-/// Largest change in a tick of the force that the reserve allows (N), beyond that of a spring with the
-/// device's stiffness.
+/// Largest change in a tick of the force that the reserve, the energy that springs may still give, allows
+/// (N), beyond that of a spring with the device's stiffness.
 inline constexpr double reserve_step = 0.3;
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t node_count = FlowPatch{}.nodes.size();
 using NodeValues = std::array<double, node_count>;
 
-/// The two samples of a fluid's grid on either side of a node of the patch, along one axis.
+/// The two samples of a fluid's grid on either side of a node of the flow patch, along one axis.
 struct Between {
     std::ptrdiff_t low{}, high{};  ///< offsets of the two samples in the grid's array
     double t{};                    ///< position of the node between them, 0 at `low` and 1 at `high`
@@ -35,8 +35,8 @@ AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node
     return nodes;
 }
 
-/// Adds the values of a fluid's grid at the nodes of the patch, times `weight`, to `values`. They are linear
-/// between the grid's samples.
+/// Adds the values of a fluid's grid at the nodes of the patch, times `weight`, to `values`. The grid is read
+/// linearly between its samples.
 void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight, NodeValues& values) {
     if (!has_samples(grid) || weight == 0) return;
     const AxisOfNodes x = axis_of(grid, 0, patch.origin.x, patch.spacing);

@@ -56,8 +56,8 @@ struct FlowSubstance {
 };
 
 /// Fields of the fluid from which a patch is taken. The mixture is weighted by amounts (Mora and Lee 2008,
-/// 4.1): viscosity and density at a place grow by the sum of amount times value over the substances. They are
-/// never below 0.
+/// 4.1): viscosity and density at a place grow by the sum of amount times value over the substances.
+/// Viscosity and density are never below 0.
 struct FlowSource {
     field::StaggeredGrid velocity{};  ///< velocity (m/s); read linearly, whatever kernel its grids name
     double viscosity{};               ///< viscosity of the base fluid (Pa s)

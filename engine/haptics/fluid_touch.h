@@ -30,20 +30,23 @@
 //     recoil      a Pulse (servo.h), see recoil_peak()  (7)  active
 //
 // With equal strengths, (1) and (2) are the Stokes drag -viscous mu (V - u); a sphere of radius a has viscous
-// = 6 pi a. (3) is the form drag of an obstacle with its slope at the speed of stirring, C_d A U / 2. mu and
-// rho already contain the sums over the substances. (1) alone challenges the hand and (2) alone guides it.
-// With (3) the hand fights the current until the flow has given way. These are the modes of section 7.
+// = 6 pi a. (3) is the form drag C_d A rho U^2 / 2 of an obstacle with the drag coefficient C_d and the
+// frontal area A, made proportional to the speed: form = C_d A U / 2 at the speed U of stirring. mu and rho
+// already contain the sums over the substances. (1) alone resists the hand and (2) alone guides it. With (3)
+// the hand fights the current until the flow has given way. These are the modes of section 7.
 //
 // The flow changes every 16 ticks, and the hand feels every tick. (1) to (3) are interpolated linearly in
 // time between their values for the two newest fluid steps. A step is felt as 16 changes of 1/16 of its size,
-// one fluid step late. The hand's push changes u one to two fluid steps later. This late loop oscillates. The
-// oscillation decays while (w_f viscous mu + w_r form rho) T / stirred_mass < 0.83, with T = 16 ms and a hand
-// that is held fast. All drags are scaled down together so that this gain stays below `loop_gain`. They also
-// keep the damping that the hand feels, s_f s_x (w_v viscous mu + w_r form rho), below the device's limit.
-// The damper of the ladle's mass takes its share of that limit first, at most half.
+// one fluid step late. The hand's push changes u one to two fluid steps later. With this delay, the loop from
+// the hand through the fluid back to the hand oscillates. The oscillation decays while the loop's gain (w_f
+// viscous mu + w_r form rho) T / stirred_mass is below 0.83, with T = 16 ms and a hand that is held fast. All
+// drags are scaled down together so that the gain stays below `loop_gain`. They also keep the damping that
+// the hand feels, s_f s_x (w_v viscous mu + w_r form rho), below the device's limit. The damper of the
+// ladle's mass takes its share of that limit first, at most half.
 //
-// Energy (energy.h): the observer is told the power F u of (3) in the newest step's flow, so it sees the
-// energy that the delay creates. It is told F dh for (4). (2) is within the budget of active sources.
+// Energy (energy.h): for (3), the passivity observer is told the power F u in the newest step's flow, so it
+// sees the energy that the delay creates. For (4), it is told the work F dh of a surface that rises by dh.
+// The force (2) is within the budget of active sources.
 //
 // A game does the following in each tick for a player who stirs. For any other player FluidTouch::number is
 // 0, which costs one compare. If all strengths are 0, nothing is felt, but the ladle's place is computed.
@@ -52,17 +55,17 @@
 //      place in the bowl, moved on by its velocity for some 16 ms, because the patch is read for 32 ms. In
 //      every other tick: ++touch.step_age. `older`, `newer` and `step_age` decide future forces and do not
 //      follow from the fluid. They are state and belong in a component.
-//   2. surface = the fluid's surface under the probe (ProbeReaction, SpringSurfaceSettings), with the
-//      velocity by difference. Without a surface, `present` = 0.
+//   2. surface = the fluid's surface under the probe (ProbeReaction, SpringSurfaceSettings). Its velocity is
+//      the change of its height over the time of a fluid step. Without a surface, `present` = 0.
 //   3. Frame, drag, wall, ladle and modes from the game's data. The device must be able to render the felt
 //      stiffnesses s_f s_x k. `number` counts from 1 and changes when the probe appears, or when frame, modes
 //      or data jump.
 //   4. After the servo step: -force_on_ladle(touch, state) is the force on the fluid at state.place in this
-//      tick (N, bowl frame). fluid::push gets the sum over 16 ticks, times tick_seconds, per density. Cap and
-//      heat do not limit it: the world gets all of it. The surface gets the probe's place and has its own
-//      reaction. The ladle is drawn at state.place. A missing sample leaves the state unchanged, so the last
-//      force continues, as on the arm.
-//   5. When a substance is poured in: kick with recoil_peak().
+//      tick (N, bowl frame). fluid::push gets the sum over 16 ticks, times tick_seconds and divided by the
+//      density. The limits by cap and heat do not reduce it: the world gets all of it. The surface gets the
+//      probe's place and has its own reaction. The ladle is drawn at state.place. If the device gives no
+//      sample in a tick, the state stays unchanged, so the last force continues, as on the device.
+//   5. When a substance is poured in: start a Pulse with the peak recoil_peak().
 //
 // Device frame unless stated otherwise. No allocation, no clock.
 #pragma once
@@ -153,7 +156,7 @@ inline constexpr std::uint32_t fluid_period = 16;  ///< time between two steps o
 /// Largest gain of the loop from the hand through the fluid back to the hand (see the top of this file).
 inline constexpr double loop_gain = 0.4;
 
-/// Fluid part of the haptic model: what the servo knows about the fluid, its surface and its bowl.
+/// Fluid part of the haptic model: description of the fluid, its surface and its bowl for the servo.
 struct FluidTouch {
     /// 0: no fluid. The number changes when the fluid appears or jumps. The safety stage then fades the force
     /// from the old to the new one.

@@ -32,7 +32,7 @@ struct Reciprocals {
 };
 constexpr Reciprocals reciprocals;
 
-/// Sums the Taylor series of S and its integrals. For q <= 1 and small x.
+/// Sums the Taylor series of S and its integrals. The sum is accurate for q <= 1 and small x.
 Response by_series(double x, double q) {
     Response r{.t = 1, .s = 1, .s1 = 0.5, .s2 = 1.0 / 6};
     double before = 0, term = 1, factor = 0;
@@ -77,7 +77,7 @@ Response by_two_rates(double slow, double fast) {
 
 struct Waves {
     double c,
-        s;  // e^-x cosh(sqrt z) and e^-x sinh(sqrt z) / sqrt z: entire functions of z, regular at z = 0
+        s;  // e^-x cosh(sqrt z) and e^-x sinh(sqrt z) / sqrt z; both are smooth at z = 0
 };
 
 /// A number as the sum of two doubles, so that a product of doubles is exact (Dekker 1971). A fused
@@ -101,7 +101,7 @@ Twofold product(double a, double b) {
 /// The oscillator with times in units of t (see the top of this file).
 struct Scaled {
     double x{}, q{};
-    double z{};          ///< x^2 - q
+    double z{};          ///< x^2 - q; negative: the oscillator is underdamped
     double x_rounded{};  ///< rounding error of x: the exact product decay t minus x
 };
 
@@ -131,7 +131,7 @@ Waves waves(const Scaled& in) {
         return {(rising + falling) / 2, (rising - falling) / (2 * root)};
     }
     const double decayed = det::exp(-x) * (1 - x_rounded);
-    if (z > 1) {  // both exponents above are large here, and the rounding of each would count
+    if (z > 1) {  // the exponents of the case above would be large here, and their rounding would matter
         const double root = std::sqrt(z), up = det::exp(root), down = det::exp(-root);
         return {decayed * (up + down) / 2, decayed * (up - down) / (2 * root)};
     }
@@ -147,7 +147,8 @@ Waves waves(const Scaled& in) {
     return {decayed * (1 + c), decayed * (1 + s)};
 }
 
-/// Derives the integrals of S from the oscillator's equation. For all cases that the other two methods leave.
+/// Derives the integrals of S from the oscillator's equation, for all cases that suit neither of the other
+/// two methods.
 Response by_equation(const Scaled& in) {
     const double x = in.x, q = in.q;
     const auto [c, s] = waves(in);

@@ -13,7 +13,7 @@ bool newer(std::uint32_t number, std::uint32_t than) {
 
 bool playing(const PlayingPulse& pulse) { return pulse.at < pulse.length; }
 
-/// Starts the pulse if its number is newer than that of the last one. Returns true if it ends another pulse
+/// Starts the pulse if its number is newer than that of the last pulse. Returns true if it ends another pulse
 /// that is still playing.
 bool start_pulse(ServoState& state, const Pulse& pulse) {
     if (!newer(pulse.number, state.last_pulse)) return false;

@@ -34,7 +34,7 @@ constexpr auto ramp_length = static_cast<std::uint32_t>(ticks(ramp_seconds));
 // returns.
 constexpr std::uint32_t calm_ticks = 100;
 // Excess is a wanted force beyond what any correct source asks for. Ticks with excess belong to one episode
-// until so many ticks in a row have none.
+// until this many ticks in a row are without excess.
 constexpr std::uint32_t apart_ticks = 20;
 constexpr std::uint32_t episode_ticks = 10'000;  // ticks after which an episode of excess is forgotten
 // Length of a bin, over which the squared force is summed as heat (ticks).
@@ -167,8 +167,8 @@ double budget_of(const SafetyLimits& limits) {
 
 /// Square of the largest force that can be sustained from now on (N^2). With this force, the heat stays
 /// within the budget at the end of every coming bin, when the oldest bin no longer counts. While the force is
-/// sustained, this limit never falls: what was possible stays possible. It approaches the square of the
-/// continuous force, less the heat of the bin beyond the window.
+/// sustained, this limit never falls. It approaches a little less than the square of the continuous force,
+/// because the bins span a little more than the 10 s.
 double sustained(const SafetyLimits& limits, const SafetyState& state, double heat) {
     const double budget = budget_of(limits);
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
@@ -185,7 +185,7 @@ double sustained(const SafetyLimits& limits, const SafetyState& state, double he
 
 /// Force that the motors can still take (N). A burst after rest may use most of the budget. Once heat limits
 /// the force, it rises only if a larger force can be sustained. Otherwise a hand that presses on would get a
-/// burst whenever the last burst leaves the window, and nothing in between.
+/// burst whenever the last burst is 10 s old, and hardly any force in between.
 double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
     const double budget = budget_of(limits), heat = heat_of(state), left = budget - heat;
     if (!(left > 0)) return 0;
@@ -226,7 +226,8 @@ double fade_step(const SafetyLimits& limits, const SafetyInput& input) {
 
 /// Sets the offset to the difference between the last output and the goal (the force that the sources now
 /// want), so that the output makes no jump. The last output is cut to `most` (N), which it exceeds if the cap
-/// has been lowered. The part of the offset that active sources left is known from their parts of both.
+/// has been lowered. The active sources' part of the offset is the difference between their parts of the last
+/// output and of the goal.
 void take_up(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     state.remnant = shortened(state.output, most);
     state.offset = state.remnant - goal;
@@ -258,7 +259,7 @@ double work_of_offset(double length, const SafetyInput& input) {
 
 /// Starts the fade of the offset that hides a jump of the wanted force; the output stays what it was. If
 /// another offset was still fading, the work that it did in its last tick counts for the new one. Otherwise
-/// no offset would ever give way while the force jumps in every tick.
+/// no offset would ever fade by its work while the force jumps in every tick.
 void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal,
                 const SafetyInput& input) {
     const bool goes_on = glm::length(state.offset) > fade_step(limits, input);
@@ -270,8 +271,8 @@ void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec
     if (goes_on) add_fade_work(state, input, true);
 }
 
-/// Lets the offset take up a jump of sources that still settle after a switch. The work that the offset may
-/// do stays the same, so that such jumps give the hand no further energy.
+/// Lets the offset hide a jump of sources whose forces still jump for some ticks after a switch. The work
+/// that the offset may do stays the same, so that such jumps give the hand no further energy.
 void settle(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     take_up(most, state, goal, input);
     state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
@@ -366,8 +367,8 @@ SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
 }
 
-/// Largest force of a ramp to zero (N): the limit by the springs' reserve of energy, but no less than what
-/// makes no jump from the last output.
+/// Largest force of a ramp to zero (N): the limit by the springs' reserve of energy, but no less than a force
+/// that is no jump from the last output.
 double max_of_ramp(const SafetyState& state, const SafetyInput& input) {
     const double size = glm::length(state.output);
     const double outward = size > 0 ? glm::dot(state.output, input.tip - state.tip) / size : 0;

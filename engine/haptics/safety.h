@@ -20,9 +20,9 @@
 //   - the wanted force that it hides: the offset leads from the wanted force to what is left of the force
 //     before the switch. An offset that cancels the force of a wall ends with that force when the wall
 //     breaks.
-// But the sum of wanted force and offset changes by no more than a spring with the device's stiffness and
-// `SafetyInput::change` together. So an offset that yields to the hand waits while a spring yields already.
-// Only the fade by `slew` goes on then.
+// But in a tick the sum of wanted force and offset changes by no more than a spring of the device's stiffness
+// and `SafetyInput::change` together would change it. If a spring already yields to the hand, an offset that
+// would yield too has to wait: only its fade by `slew` goes on.
 //
 // The wanted force itself is never delayed. A passive source therefore stays passive while the offset fades.
 // An offset that only shrinks returns no more energy than it was given. So the whole switch creates at most
@@ -50,7 +50,7 @@ struct SafetyLimits {
     double excess{};
     /// The same limit for the force of a tether, a spring that the world may stretch far (N).
     double spring_excess{};
-    double continuous{};  ///< largest root mean square of the output over 10 s, for cool motors (N)
+    double continuous{};  ///< largest root mean square of the output over 10 s that keeps the motors cool (N)
     double slew{};        ///< rate at which the offset that hides a jump of the force fades (N/s)
     /// Speed of the tip beyond which the force is cut until the hand is slow again (m/s).
     double max_speed{};
@@ -58,7 +58,7 @@ struct SafetyLimits {
 
 inline constexpr double gentle_share = 0.45;  ///< default cap (largest force) as a share of the device's peak
 inline constexpr double thermal_window = 10;  ///< time over which the motors' heat is averaged (s)
-/// Age up to which a haptic model counts as fresh, so that its force is played in full (ticks).
+/// Age up to which a haptic model counts as fresh, so that the device gets its full force (ticks).
 inline constexpr std::uint32_t freshest_ticks = 20;
 /// Largest work on the hand by the offsets that hide jumps of the force (J).
 inline constexpr double switch_energy = 0.01;
@@ -78,8 +78,8 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share);
 /// The same limits with another cap, as a share of the device's peak, 0 to 1.
 SafetyLimits with_share(SafetyLimits limits, double share);
 
-/// Reason why the device gets less than was asked for; of several, the last in this order. The screen shows a
-/// caption for each.
+/// Reason why the device gets less force than was asked for. If there are several, it is the last one in this
+/// order. The screen shows a caption for each.
 enum class SafetyCause : std::uint32_t {
     none,
     capped,      ///< clipped to the cap, the largest allowed force
@@ -88,9 +88,10 @@ enum class SafetyCause : std::uint32_t {
     stale,       ///< no fresh model: the force ramps to zero or is zero
     over_speed,  ///< the hand was too fast: the force is zero until it is slow
     off,         ///< the player wants no forces
-    /// Sources repeatedly wanted more than SafetyLimits::excess; until the player asks for forces again.
+    /// Sources repeatedly wanted more than SafetyLimits::excess: no force until the player asks for forces
+    /// again.
     shut_off,
-    panic,  ///< the panic key was pressed; until the player asks for forces again
+    panic,  ///< the panic key was pressed: no force until the player asks for forces again
 };
 
 inline constexpr std::array<std::string_view, 9> safety_cause_names{
@@ -147,7 +148,7 @@ struct SafetyInput {
     /// Part of `wanted` by the tether, a spring whose other end the world holds and may pull far away (N).
     vec3 spring{};
     /// Damping force that takes excess energy out of the hand (N, passivity controller). It is added to
-    /// `wanted` after the cap has cut that.
+    /// `wanted` after `wanted` was cut to the cap.
     vec3 brake{};
     /// Part of `wanted` by active sources (those that may push the hand), and their part of the last output
     /// (N).
@@ -170,7 +171,7 @@ struct SafetyInput {
     double change{steady_change};
     std::uint32_t model_age{};  ///< ticks since the haptic model was made
     bool switched{};            ///< a source of force appeared, ended or jumped
-    /// The sources still settle after a switch: the offset takes up their jumps in this tick.
+    /// True: the sources' forces still jump after a switch, and the offset hides their jump in this tick.
     bool settles{};
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< a panic key is down

@@ -24,14 +24,14 @@
 namespace thaum::haptics {
 
 /// Motion of the world in the device frame while the player turns or walks: a place p moves at velocity +
-/// spin x p. The velocities of a patch's bodies include this motion. It is also given alone because it must
-/// not push the hand.
+/// spin x p. The velocities of a patch's bodies include this motion. It is also given separately because it
+/// must not push the hand.
 struct FrameMotion {
     vec3 velocity{};  ///< velocity of the world at the frame's origin (m/s)
     vec3 spin{};      ///< angular velocity about the frame's origin (rad/s)
 };
 
-/// What the servo knows of the world; the simulation publishes it in each tick.
+/// All that the servo knows of the world near the hand; the simulation publishes it in each tick.
 struct HapticModel {
     Pulse pulse{};  ///< newest kick that the hand is to feel
     SteadyForce steady_force{};
@@ -41,10 +41,10 @@ struct HapticModel {
     bool rearm{};   ///< the player asks for forces again after a panic or shut-off
     /// Largest force chosen by the player (% of the device's peak); 0: the cap of Servo::limits.
     std::uint8_t force_percent{};
-    /// Changes when the primitives jump, not when they move smoothly. A jump is a switch, which the safety
-    /// stage fades.
+    /// Changes when the primitives (elementary forces on the proxy) jump, not when they move smoothly. A jump
+    /// is a switch, which the safety stage fades.
     std::uint32_t set_number{};
-    PrimitiveSet primitives{};  ///< primitives (m, device frame); usually empty, at no cost
+    PrimitiveSet primitives{};  ///< forces on the proxy (m, N, device frame); usually empty, at no cost
     /// Spring and damper from the tip to the proxy on which the primitives act.
     ProxyCoupling coupling{.stiffness = 300};
     SurfacePatch patch{};  ///< surfaces near the tip; usually empty, at no cost
@@ -54,7 +54,8 @@ struct HapticModel {
     /// At most the damping that the device renders takes effect.
     double viscosity{};
     vec3 start{};  ///< place in free space at which the proxy of the surfaces starts after a jump (m)
-    /// Changes when the patch is a new one, as after a teleport; the force is then faded.
+    /// Changes when the patch (the surfaces near the tip) is a new one, as after a teleport; the force is
+    /// then faded.
     std::uint64_t patch_number{};
     FluidTouch fluid{};  ///< fluid around the tip; usually number 0, at no cost
     /// How far the field from which the primitives are made (such as a crystal that turns) has moved at the
@@ -72,7 +73,7 @@ static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
                                              sizeof(FluidTouch),
               "no padding: the bytes of past models are hashed");
 
-/// What the servo gets in one tick besides the haptic model: what the device measured, and the model's age.
+/// Input of the servo in one tick besides the haptic model: the device's measurement and the model's age.
 struct ServoSample {
     vec3 position{};            ///< measured position of the tip (m, device frame)
     std::uint32_t model_age{};  ///< ticks since the haptic model was made
@@ -106,7 +107,7 @@ struct SeenBodies {
     std::uint64_t count{};
 };
 
-/// What the servo remembers from tick to tick; no padding.
+/// State of the servo, kept from tick to tick; no padding.
 struct ServoState {
     SafetyState safety{};
     std::array<vec3, velocity_window> positions{};  ///< last measured positions of the tip (m), a ring buffer

@@ -32,20 +32,20 @@ struct Tether {
     std::uint64_t number{};  ///< changes when the tether appears, ends or jumps, which the safety stage fades
 };
 
-/// Force of the tether on the tip (N), given the tip's velocity (m/s).
+/// Force of the tether (a spring and damper) on the tip (N), given the tip's velocity (m/s).
 vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity);
 
 /// Force of the detents (notches) along their axis (N), `along` metres from the anchor.
 double detent_force(const Detents& detents, double along);
 
-/// Tether and its force in one tick.
+/// A tether (spring and damper from the tip to a point) and its force in one tick.
 struct TetherForce {
     Tether tether{};  ///< the tether; its anchor is moved on from the time of the haptic model to the present
     vec3 force{};     ///< force on the hand (N)
     bool switched{};  ///< the tether appeared, ended or jumped
 };
 
-/// Computes the force of a tether in a haptic model that is `age` ticks old.
+/// Computes the force of a tether (spring and damper) in a haptic model that is `age` ticks old.
 TetherForce feel_tether(ServoState& state, const Tether& tether, std::uint32_t age, const Tip& tip);
 
 }  // namespace thaum::haptics

@@ -10,8 +10,8 @@ namespace {
 
 /// Stores a position and returns the mean velocity over the stored ones, which span at most `velocity_window`
 /// ticks (m/s). A velocity over one tick would have noise of centimetres per second by the encoder's quantum.
-/// A position that is not finite makes the velocity NaN when it arrives and when it is the oldest; the safety
-/// stage cuts the force on both.
+/// A position that is not finite makes the velocity NaN twice: when it arrives and when it is the oldest. The
+/// safety stage cuts the force in both cases.
 vec3 store_position(ServoState& state, vec3 position) {
     auto& ring = state.positions;
     const bool full = state.samples == velocity_window;

@@ -10,7 +10,7 @@ struct ServoState;
 
 inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip's velocity is measured
 
-/// What the servo knows of the tip in one tick (device frame).
+/// Motion of the tip in one tick (device frame), and whether the force on it jumps or has to end.
 struct Tip {
     vec3 position{};      ///< measured position (m)
     vec3 velocity{};      ///< velocity over the last `velocity_window` ticks (m/s)
@@ -24,7 +24,7 @@ struct Tip {
 /// distance between two measurable positions (m).
 Tip move_tip(ServoState& state, vec3 position, double quantum);
 
-/// Mean velocity of the tip over the stored positions (m/s); zero before the second one.
+/// Mean velocity of the tip over the stored positions (m/s); zero before the second position.
 vec3 tip_velocity(const ServoState& state);
 
 /// Smallest deviation from a line that counts as motion, not noise (m).
@@ -32,8 +32,8 @@ inline constexpr double finest_motion = 5e-5;
 
 /// Velocity of the tip (m/s) with the least delay that the quantum (m) allows. It is the mean over the
 /// longest part of the window in which the samples lie on a line. The tolerance is one quantum, or
-/// `finest_motion` if that is larger. At rest this is the whole window, in a quick turn two samples. A damper
-/// that acts on a velocity of four ticks ago excites a stiff spring instead of calming it. Source:
+/// `finest_motion` if that is larger. At rest this part is the whole window, in a quick turn two samples. A
+/// damper that acts on a velocity of four ticks ago excites a stiff spring instead of calming it. Source:
 /// first-order adaptive windowing, Janabi-Sharifi, Hayward and Chen 2000.
 vec3 prompt_velocity(const ServoState& state, double quantum);
 

@@ -28,14 +28,14 @@ inline constexpr double skin_speed = 1;
 
 /// Time from the first beat of a heart to the second (ms).
 inline constexpr double second_beat_ms = 160;
-/// Amplitude of the second beat as a share of the first one's.
+/// Amplitude of a heart's second beat as a share of the first beat's amplitude.
 inline constexpr double second_beat = 0.6;
 
 /// How a grating, the virtual ridges drawn over the skin, makes a force: along the normal of the flat wall
 /// beneath it (impact), or along the normal of the grating (vibration). `both` is the mean of the two.
 enum class Method : std::uint8_t { impact, vibration, both };
 
-/// What effects are for, such as blasts or warnings. Each purpose has a volume fader of its own.
+/// Purposes of effects, such as blasts or warnings. Each purpose has a volume fader of its own.
 enum class Purpose : std::uint8_t {
     impact,
     blast,
@@ -49,7 +49,7 @@ enum class Purpose : std::uint8_t {
     music
 };
 inline constexpr std::size_t purpose_count = 10;
-/// Names of the purposes (what effects are for) as in data files, in the order of Purpose.
+/// Names of the purposes of effects as in data files, in the order of Purpose.
 const std::vector<std::string_view>& purpose_names();
 
 /// Strength over time: the strength rises, is held, and falls (ms).

@@ -12,6 +12,7 @@
 //                       h(p_x) - p_z         where p_z <= h         force along the grating's normal n_r(p)
 //     F_r      = k dx + B x'                 while moving in, k dx otherwise
 //
+// Here k is the stiffness, B the damping, dx the depth p_1 or p_2, and x' the speed at which it changes.
 // Corrections to the text of the paper: the bracket of the sine is not closed there; the second case of the
 // second method tests p_z <= h(p_x), written h(p_x(x)); the two cases of F_r are both printed for x' below
 // zero, so the second is read as x' >= 0. The damping resists deepening, so x' counts here as the speed of
@@ -34,10 +35,10 @@ double slope(const Grating& grating, double x);
 /// Unit normal of the grating in the plane of x and z.
 vec2 normal(const Grating& grating, double x);
 
-/// How far the skin at p = (p_x, p_z) is inside the grating, once it touches the flat wall beneath (m): the
-/// depth p_1 of the impact-based method.
+/// Depth of the skin at p = (p_x, p_z) inside the grating once it touches the flat wall beneath, 0 before
+/// that (m): p_1 of the impact-based method.
 double impact_depth(const Grating& grating, vec2 p);
-/// How far the skin is inside the grating (m): the depth p_2 of the vibration-based method.
+/// Depth of the skin at p = (p_x, p_z) inside the grating (m): p_2 of the vibration-based method.
 double vibration_depth(const Grating& grating, vec2 p);
 
 /// Force F_r of the spring and damper, >= 0 (N). `deepening` is the speed at which the depth grows (m/s).

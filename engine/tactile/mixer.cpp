@@ -14,7 +14,7 @@ constexpr double min_amplitude = 1.0 / 256;
 /// A frame shows what effects do in the time since the last frame, but at most in this time (ms).
 constexpr double longest_frame = 1000;
 
-/// True for a jacket whose actuators are the cells of a clip, in their order.
+/// True for a jacket whose actuators are the cells of a clip (a recording), in their order.
 bool has_cells_of_a_clip(const Layout& layout) {
     if (layout.actuators.size() != clip_cells) return false;
     for (std::size_t i = 0; i < clip_cells; ++i) {
@@ -134,7 +134,8 @@ void TactileMixer::place_sweep(Playing& playing, const Effect& effect, const Bod
     }
 }
 
-/// Finds the strongest cell of the first frame of a clip that is not silent: the place where the clip begins.
+/// Finds the place where a clip (a recording) begins: the strongest cell of its first frame that is not
+/// silent.
 void TactileMixer::place_clip(Playing& playing, const Effect& effect) {
     for (const auto& frame : effect.clip) {
         const auto strongest = std::max_element(frame.strength.begin(), frame.strength.end());
@@ -146,7 +147,7 @@ void TactileMixer::place_clip(Playing& playing, const Effect& effect) {
     }
 }
 
-/// The latest event that plays or waits at an actuator; null if there is none.
+/// The latest event (effect that was started) that plays or waits at an actuator; null if there is none.
 TactileMixer::Playing* TactileMixer::running_at(std::uint8_t actuator, Tick now) {
     Playing* latest = nullptr;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -158,8 +159,8 @@ TactileMixer::Playing* TactileMixer::running_at(std::uint8_t actuator, Tick now)
     return latest;
 }
 
-/// The effect of lowest priority; of several, the oldest; null if there is none. `felt`: consider only
-/// effects that have already been in a frame.
+/// The effect of lowest priority, or the oldest one of several with this priority; null if there is none.
+/// `felt`: consider only effects that have already been in a frame.
 TactileMixer::Playing* TactileMixer::least_important(bool felt) {
     Playing* least = nullptr;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -335,7 +336,7 @@ void TactileMixer::add_clip(const Playing& playing, const Effect& effect, double
     add_shares(playing, amplitude, energies);
 }
 
-/// Adds the beats of a heartbeat that fall into the frame. Returns false after the last one.
+/// Adds the beats of a heartbeat that fall into the frame. Returns false after the last beat.
 bool TactileMixer::add_heartbeat(Playing& playing, bool held, double ms) {
     const auto& effect = effect_of(playing);
     const double rate = effect.slowest_hz + (effect.fastest_hz - effect.slowest_hz) * playing.strength;

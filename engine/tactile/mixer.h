@@ -71,8 +71,8 @@ struct MixerCounts {
     std::uint64_t delayed{};
     std::uint64_t replaced{};  ///< effects cut short by one of higher or equal priority
     std::uint64_t clipped{};   ///< values that were not finite or outside of their range
-    /// Number of times that an actuator had to wait, because less than `gap` had passed since its last
-    /// beginning.
+    /// Number of times that an actuator had to wait, because less than `gap` had passed since an effect last
+    /// began at it.
     std::uint64_t held{};
     /// Frames whose amplitudes were reduced, because the sum of all energies exceeded its limit.
     std::uint64_t limited{};
@@ -170,7 +170,7 @@ private:
     std::size_t count_{};
     /// Tick from which another event may begin at an actuator.
     std::array<Tick, max_actuators> free_at_{};
-    /// Shares of the actuators in the energy of each cell of a clip.
+    /// Shares of the actuators in the energy of each cell of a clip (a recording).
     std::array<Shares, clip_cells> clip_shares_{};
     // Sum of the energies (squares of the amplitudes) of all effects in one frame, at each actuator.
     std::array<float, max_actuators> energy_{};
@@ -179,7 +179,8 @@ private:
     std::array<float, max_actuators> strongest_{};
     std::array<bool, max_actuators> on_{};
     std::array<Tick, max_actuators> may_begin_{};
-    /// Amplitude that waits until the gap since the actuator's last beginning is over.
+    /// Amplitude with which an effect begins at an actuator once the gap since the last beginning there is
+    /// over.
     std::array<double, max_actuators> waiting_{};
     bool ringing_{};  ///< true: some actuator is on, or waits to begin
     Tick mixed_at_{};

@@ -21,7 +21,7 @@ constexpr double solved = 1e-4;
 // vector l tilts the weights of the actuators towards the wanted place (tactile/phantom.h).
 constexpr double longest_step = 4;
 // Added to the curvature of the minimised function, so that its minimum l stays finite if the place is on the
-// edge of all actuators. Costs an error of about 0.001 cells.
+// edge of all actuators. This causes an error of about 0.001 cells.
 constexpr double stiffening = 1e-4;
 
 /// Positions of the participating actuators relative to the wanted place, in cells (distances between

@@ -10,9 +10,10 @@
 //
 //     w_i = g_i exp(l . (x_i - p)) / Z,   g_i = exp(-|x_i - p|^2 / 2 sigma^2)
 //
-// where l is the minimum of the convex function log Z(l), found by Newton's method in two unknowns.
-// Interpolation between the nearest cells would be cheaper, but needs a grid; this method works for any
-// layout. A place outside of all actuators is moved to the nearest one that they can render.
+// where l is the minimum of the convex function log Z(l), found by Newton's method in two unknowns. sigma is
+// the width of the Gaussian, and Z makes the sum of the shares 1. Interpolation between the nearest cells
+// would be cheaper, but needs a grid; this method works for any layout. A place outside of all actuators is
+// moved to the nearest one that they can render.
 #pragma once
 #include "tactile/layout.h"
 

@@ -2,8 +2,8 @@
 // weight of each (field/carving_tools.h).
 //
 // The rim of a hard shape falls from 1 to 0 over two voxels, so that a carved surface lies between voxels
-// where the surface of the shape is. A narrower rim lets forces follow the voxels' stairs. Spheres of 12.3
-// voxels, carved at random places and read with the kernel catmull_rom:
+// where the surface of the shape is. With a narrower rim, a hand would feel the steps from voxel to voxel.
+// Spheres with a radius of 12.3 voxels, carved at random places and read with the kernel catmull_rom:
 //
 //     rim (voxels)               1       1.5     2       3
 //     surface off by, at most    0.097   0.039   0.013   0.006   voxels

@@ -60,7 +60,7 @@ std::string name_of_field(std::string_view name) {
     return out;
 }
 
-/// Those names of fields that contain blanks, as the format writes them.
+/// Names of the fields whose names contain blanks, as the format writes them.
 constexpr std::array<std::string_view, 14> names_with_blanks{
     "space dimension",   "space directions", "space origin", "space units", "data file",
     "measurement frame", "byte skip",        "line skip",    "axis mins",   "axis maxs",

@@ -33,8 +33,8 @@ struct FileOfSamples {
     Path path;
     FileReader* file{};
     std::size_t begin{};    ///< position of the first byte after the header and the skipped lines
-    std::size_t bytes{};    ///< number of bytes from there to the end of the file
-    Bytes start{};          ///< the first of these bytes, at most `start_bytes`
+    std::size_t bytes{};    ///< number of bytes from `begin` to the end of the file
+    Bytes start{};          ///< first bytes from `begin` on, at most `start_bytes`
     std::size_t samples{};  ///< number of samples that the header promises
 };
 
@@ -79,7 +79,8 @@ std::string name_in_message(const NrrdHeader& header, const FileOfSamples& file)
 
 // ---- bytes of another encoding ----------------------------------------------------------------------------
 
-/// A format that the first bytes of a file reveal, and advice if the header promises another one.
+/// A format that can be recognised by the first bytes of a file, and advice if the header promises another
+/// one.
 struct Form {
     std::string_view begins;
     std::string_view name;
@@ -373,7 +374,7 @@ Expected<void> decode_file(const NrrdHeader& header, FileOfSamples file, std::si
 }
 
 /// Opens one of the files that a header names, and adds its path to the volume. A file of more than
-/// `max_bytes` is refused unless the header tells where its samples end.
+/// `max_bytes` is refused unless the header says where its samples end.
 Expected<FileReader> open_named(const NrrdHeader& header, const Path& path, const NrrdDataFile& named,
                                 std::size_t max_bytes, Volume& volume) {
     const auto place = sample_file(path, named.name);

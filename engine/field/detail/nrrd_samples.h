@@ -11,8 +11,8 @@ namespace thaum::field {
 
 /// Gives the decoder all samples: those behind the header in `file`, or those in the files that the header
 /// names. They are bytes of the header's type, or doubles if they stand in text. Each named file may have
-/// `max_bytes`, or more if the header tells where its samples end. Sets the files and notes of the volume.
-/// The error names the header's line, and says so if the bytes are of another encoding.
+/// `max_bytes`, or more if the header says where its samples end. Sets the files and notes of the volume. The
+/// error names the header's line, and says so if the bytes are of another encoding.
 Expected<void> read_nrrd_samples(const NrrdHeader& header, const std::filesystem::path& path,
                                  FileReader& file, std::size_t max_bytes, SampleDecoder& decoder,
                                  Volume& volume);

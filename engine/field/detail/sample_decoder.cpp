@@ -84,7 +84,7 @@ SampleDecoder::SampleDecoder(SampleType type, bool big_endian, const StoredOrder
     join_axes();
 }
 
-/// Sorts the axes, and makes one of two where the samples of both lie in one row in file and volume.
+/// Sorts the axes, and joins two axes whose samples form one row both in the file and in the volume.
 void SampleDecoder::join_axes() {
     std::sort(axes_.begin(), axes_.begin() + static_cast<std::ptrdiff_t>(axis_count_),
               [](const Axis& a, const Axis& b) { return a.stride < b.stride; });
@@ -139,8 +139,8 @@ void SampleDecoder::next_run() {
     }
 }
 
-/// Puts `count` samples of a row into the volume, whose vector grows as far as they reach. So memory that the
-/// vector fills with zeros is still in the cache when the samples are written.
+/// Puts `count` samples of a row into the volume. The volume's vector grows only as far as these samples
+/// reach, so that the memory that it fills with zeros is still in the cache when they are written.
 template <class T>
 void SampleDecoder::convert(const std::byte* from, std::ptrdiff_t count) {
     const Axis row = axes_[0];

@@ -18,8 +18,8 @@ constexpr double longest_hand_step = 0.05;  // longest plausible motion of the t
 // Share of the largest allowed mean square of the force (the limit that keeps the motors cool) below which
 // the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
-// Largest age of a haptic model (description of the world near the hand) whose force is played in full
-// (ticks).
+// Largest age of a haptic model (description of the world near the hand) at which the device still gets the
+// full force (ticks).
 constexpr std::uint64_t fresh_for = 20;
 constexpr double ramp_to_zero = 50;  // time in which a force is ramped to zero (ticks)
 // Largest fall of the output in a tick after the cap, the largest allowed force, was lowered (N).
@@ -86,7 +86,7 @@ vec3 within_cap(vec3 wanted, double cap) {
     const double largest =
         std::fmax(std::fmax(std::fabs(wanted.x), std::fabs(wanted.y)), std::fabs(wanted.z));
     if (largest == 0) return {};
-    const vec3 unit_sized = wanted / largest;  // its length cannot overflow
+    const vec3 unit_sized = wanted / largest;  // every component is at most 1, so the length cannot overflow
     const double size = length_of_vector(unit_sized);
     return largest * size <= cap ? wanted : unit_sized * (cap / size);
 }
@@ -222,10 +222,10 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// Length by which the offset that hides a jump of the force fades in a tick (N). While the servo allows the
-/// offset to do its whole work on the hand, the step is that of the slew limit, the rate of an ordinary fade.
-/// The less work the servo allows, the nearer the step is to `cap_falls_by`, which is larger, so that the
-/// offset ends sooner.
+/// Length by which the offset that hides a jump of the force fades in a tick (N). While the offset may still
+/// do all of its work on the hand, the step is that of the slew limit, the rate of an ordinary fade. The less
+/// work it may still do (SafetyInput::fade_energy), the nearer the step is to the larger `cap_falls_by`, so
+/// that the offset ends sooner.
 double fading_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double slow = limits.slew * tick_seconds;
     const double left = std::fmin(1, std::fmax(0, input.fade_energy / energy_of_a_switch));
@@ -240,9 +240,9 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    // Not checked here if the offset (the force that hides a jump) of an earlier fade was still there. It
-    // becomes shorter in this tick too, by the work that it did on the hand, so the output may change by
-    // more. `fade_on` computes by how much, if the offset is known.
+    // No jump is counted if an offset (the force that hides a jump) of an earlier fade was still there. That
+    // offset becomes shorter in this tick too, by the work that it did on the hand, so the output may change
+    // by more. `fade_on` computes by how much, if the offset is known.
     if (!may_be_fading_)
         count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 
@@ -260,10 +260,10 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     may_be_fading_ = true;
 }
 
-/// Share of the offset, 0 to 1, that still serves to hide the switch (the jump of the wanted force): the
-/// largest with |share * offset - remnant| <= |goal|. The remnant is the output before the switch, shortened
-/// by time. The goal is the output without the offset. If no share fulfils this, it is the share with the
-/// smallest left side.
+/// Largest share of the offset, 0 to 1, that only hides the switch (jump of the wanted force) and does no
+/// more: the largest with |share * offset - remnant| <= |goal|. The remnant is the output before the switch,
+/// shortened by as much as time shortens the offset. The goal is the output without the offset. If no share
+/// fulfils this, the result is the share with the smallest left side.
 double SafetyAudit::share_that_hides(vec3 goal) const {
     const double square = glm::dot(offset_, offset_);
     if (!(square > 0)) return 1;
@@ -292,12 +292,12 @@ double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     return steady;
 }
 
-/// Shortens the offset in one tick:
+/// Shortens the offset, the force that hides a jump, in one tick:
 /// - to the length that the work it has done on the hand still allows, less one step (fading_step),
-/// - to the share of this length that still hides the switch (share_that_hides),
+/// - to the share of this length that only hides the switch (share_that_hides),
 /// - by less than that if the output would jump (steady_share),
 /// - but at least by the step of the slowest fade (`limits.slew`), so that every fade ends,
-/// - and last until goal plus offset is within the cap.
+/// - and finally until the sum of offset and goal, the output without the offset, is within the cap.
 ///
 /// In the first tick of a fade, and while springs may give only a limited reserve of energy after a switch,
 /// the work of the offset counts as at most that of the whole output.

@@ -42,8 +42,8 @@ enum class SafetyRule : std::uint32_t {
     stale,
     waiting,     ///< from the start until sources first want a force within the cap, the output is zero
     over_speed,  ///< the output is zero while the device's tip is too fast
-    /// Once the player wants no forces, the output falls within 50 ms as for `stale`; it is zero if the tip
-    /// is too fast.
+    /// Once the player wants no forces, the output falls to zero within 50 ms, at least as fast as a straight
+    /// line; it is zero at once if the tip is too fast.
     off,
     shut_off,  ///< after the wanted force was far too large for the third time, the output is zero
     panic,     ///< after a panic, the player's emergency stop, the output is zero
@@ -112,8 +112,8 @@ private:
     // True: `offset_` equals the offset of the stage. False after the stage scaled the force down because of
     // warm motors, since the audit does not know by how much.
     bool offset_known_ = true;
-    // The stage does not scale the force down to keep the motors cool, and is not on its way back from that
-    // to the full force.
+    // True: the stage neither scales the force down to keep the motors cool nor is still raising it again
+    // after that.
     bool unscaled_ = true;
     vec3 offset_{};  // force that the stage adds to the wanted one after a jump, and fades (N)
     // Output before the jump of the wanted force, shortened by as much as time shortens the offset (N).

@@ -8,7 +8,7 @@ namespace {
 /// Tip that touches the patch, the surfaces near it.
 struct TouchingTip {
     vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s; device frame)
-    bool switched{};              ///< the patch is a new one, as after a teleport
+    bool switched{};              ///< the patch (surfaces near the tip) is a new one, as after a teleport
 };
 
 std::size_t bodies_of(const SurfacePatch& patch) {
@@ -41,7 +41,7 @@ bool detect_patch_jump(ServoState& state, const HapticModel& model) {
     return jumped;
 }
 
-/// Whether the patch of the last tick had this body, with the same stiffness.
+/// Whether the patch (the surfaces near the tip) of the last tick had this body, with the same stiffness.
 bool knows(const SeenBodies& seen, const SurfaceBody& body) {
     for (std::size_t i = 0; i < seen.count; ++i)
         if (seen.keys[i] == body.key) return seen.stiffness[i] == body.material.stiffness;
@@ -83,10 +83,10 @@ bool has_active_texture(const SurfacePatch& patch) {
 
 /// Computes the contact of the patch's surfaces with the tip, which is first moved by the contact offset.
 /// This offset exists because a player who walks or turns carries the tip into walls, without any motion of
-/// the hand. The offset grows by the depth of that, and by the depth that its own decay would cause. So the
-/// force grows only by the motion of the hand and of bodies: a player who stands with the wand at a wall
-/// feels the same force after turning. In a new patch, the offset takes the whole depth and the force starts
-/// at zero.
+/// the hand. The offset grows by the depth to which the player's motion and the offset's own decay would
+/// press the tip in. So the force grows only by the motion of the hand and of bodies: a player who stands
+/// with the wand at a wall feels the same force after turning. In a new patch, the offset takes the whole
+/// depth and the force starts at zero.
 ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
                                 const TouchingTip& probe, double dt) {
     const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
@@ -119,8 +119,8 @@ SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const Fra
             .active = has_active_texture(patch)};
 }
 
-/// Computes the contact with the surfaces in the haptic model. They move on by their velocity since the model
-/// was made, but stand still once it is too old; the safety stage then soon ends the force.
+/// Computes the contact with the surfaces in the haptic model. The surfaces move on by their velocity since
+/// the model was made, but stand still once the model is too old; the safety stage then soon ends the force.
 SurfaceForces feel_bodies(ServoState& state, const HapticModel& model, std::uint32_t age,
                           const TouchingTip& probe) {
     if (model.patch.count == 0) {

@@ -15,8 +15,8 @@ struct SurfaceForces {
     double stored{};   ///< energy that a spring of `force` and `stretch` would hold (J)
     double stretch{};  ///< distance from the tip to the proxy, its position outside of the surfaces (m)
     bool active{};     ///< a texture of the patch is an active source: it may give more energy than it got
-    /// The force may have jumped: the patch is a new one, or a touched body appeared, went or has another
-    /// stiffness.
+    /// The force may have jumped: the patch (the surfaces near the tip) is a new one, or a touched body
+    /// appeared, went or has another stiffness.
     bool switched{};
 };
 

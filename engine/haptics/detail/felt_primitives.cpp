@@ -6,9 +6,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Bound of the error up to which the balance of spring and primitives counts as solved (N). Beyond it, the
-/// forces found for the primitives may be wrong. The hand then feels the spring's force instead, which is
-/// right for the proxy that was found.
+/// Bound of the error up to which the balance of spring and primitives (forces on the proxy) counts as solved
+/// (N). Beyond it, the forces found for the primitives may be wrong. The hand then feels the spring's force
+/// instead, which is right for the proxy that was found.
 constexpr double solved_residual = 1e-9;
 
 /// Ticks until the proxy has found its place after the set of primitives has jumped. It takes some ticks
@@ -27,9 +27,9 @@ bool detect_set_switch(ServoState& state, const HapticModel& model) {
     return jumped;
 }
 
-/// Moves the proxy to, or towards, the place where the spring to the tip and the primitives cancel. Returns
-/// the force on the hand (N). The force is zero if the tip's position is not finite or out of range; the
-/// proxy then restarts at the tip.
+/// Moves the proxy to, or towards, the place where the force of the spring to the tip and those of the
+/// primitives (planes, lines, points and pushes) cancel. Returns the force on the hand (N). The force is zero
+/// if the tip's position is not finite or out of range; the proxy then restarts at the tip.
 vec3 force_on_proxy(ServoState& state, const HapticModel& model, vec3 tip, vec3 velocity) {
     const vec3 before = state.primitives == 0 ? tip : state.proxy;
     const Spring spring = effective_spring(model.coupling, tip, velocity, before, tick_seconds);

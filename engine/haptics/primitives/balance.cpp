@@ -11,9 +11,9 @@
 // the term has a kink. A kink is active if it is assumed to hold x.
 //
 //  1. Smoothed problem (smoothed_problem.h): Newton's method, with a smaller smoothing d at each step.
-//  2. Active set (active_set.h): the kinks with |m|^2 < d * (length of the problem). On the path, m falls
-//     like d for the kinks that hold the proxy, and stays for the others. On the intersection of the active
-//     kinks the rest is smooth.
+//  2. Active set (active_set.h): the kinks with |m|^2 < d * (length of the problem). As d falls, m falls in
+//     proportion for the kinks that hold the proxy, and hardly changes for the others. On the intersection
+//     of the active kinks, the other terms are smooth.
 //  3. Optimality check (optimality_check.h): can the active kinks exert the missing force? If not, back to 1.
 //
 // Before step 1, the kink with the least energy is tried as the active one, which solves most small sets. If
@@ -69,8 +69,8 @@ double try_active_sets(Problem& problem, vec3 x, double square, double accepted,
         Symmetric matrix;
         if (!minimise_near(problem, flat, x, matrix, steps)) break;
         const vec3 missing = balance_active(problem, x);
-        // Terms that are not assumed to hold x have the force that they exert at x. The forces of those that
-        // are (the active terms) are right only if x is still on their kinks.
+        // A term that is not assumed to hold x has the force that it exerts at x. The force of an active
+        // term, which is assumed to hold x, is right only if x is still on its kink.
         const bool stayed = spread_of_active(problem, x) == 0;
         keep_if_better(best, problem, x, stayed ? glm::length(missing) : residual_at(problem, x));
         if (best.residual <= accepted || !release(problem, matrix, missing, x)) break;
@@ -87,11 +87,11 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-/// How fast the smoothing shrinks. Most is given as factors of the gap: how far x is from obeying the
-/// smoothed problem, which next_smoothing() measures (m).
+/// Settings of how fast the smoothing shrinks. `good` and `poor` are multiples of three gaps. The gap (m) is
+/// how far x is from obeying the smoothed problem, see next_smoothing().
 struct Pace {
-    double good;   ///< new smoothing as a factor of the gap, after a step as exact as on a quadratic problem
-    double poor;   ///< the same after a step that is less exact
+    double good;   ///< new smoothing in units of three gaps, after a step as exact as on a quadratic problem
+    double poor;   ///< new smoothing in units of three gaps, after a less exact step
     double least;  ///< smallest ratio of the new smoothing to the last one
     int rounds;    ///< largest number of Newton steps
 };
@@ -150,17 +150,18 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
     }
 }
 
-/// Sets the problem back to its start: no kink is assumed to hold x, no term exerts a force, and distances
-/// are those at x, the place of the proxy without the terms.
+/// Sets the problem back to its start: no kink (point, line or plane) is assumed to hold x, no term (the
+/// energy of one kink) exerts a force, and distances are those at x, the place of the proxy without the
+/// terms.
 void reset(Problem& problem, vec3 x) {
     set_origin(problem, problem.centre);
     for (Term& term : terms_of(problem)) term.dual = {}, term.active = false;
     measure_distances(problem, x);
 }
 
-/// Starts at the place with the least energy among the one that the spring alone would give and the nearest
-/// ones on each kink. The kinks there are assumed to hold x; from them follow up to three other guesses.
-/// Solves nine of ten small sets.
+/// Starts at the place of least energy among these: the one to which spring and constant forces alone would
+/// take the proxy, and the nearest one to it on each kink. The kinks at the start are assumed to hold x; up
+/// to three other guesses follow from them. This solves nine of ten small sets.
 void try_start(Problem& problem, vec3 x, double accepted, Solution& best, int& steps) {
     x = start_of(problem, x);
     measure_distances(problem, x);

@@ -41,8 +41,8 @@ struct Balance {
     /// Force of the primitives on the proxy, equal to the spring's force on the hand (N).
     vec3 force{};
     std::array<vec3, primitive_capacity> primitive{};  ///< share of each primitive in `force` (N)
-    /// Bound of the error of force and of stiffness * proxy, for every set (N). Infinite if the spring is out
-    /// of range.
+    /// Bound of the error of force and of stiffness * proxy, for every set of primitives (N). Infinite if the
+    /// spring is out of range.
     ///
     /// A residual <= 1e-9 counts as solved. It is then the length of the sum of all forces, each of which is
     /// one that its primitive can exert at x. All of 8 million random sets at the scale of a hand (0.01 m, 3

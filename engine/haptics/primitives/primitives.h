@@ -41,7 +41,7 @@ inline constexpr std::size_t primitive_capacity = 16;
 /// far beyond any device, and no product of them overflows.
 inline constexpr double primitive_limit = 1e6;
 
-/// Why a primitive was refused.
+/// Reason why a primitive was refused. `full`: the set has no room for it.
 enum class PrimitiveFault : std::uint8_t { none, full, not_finite, out_of_range, negative, not_unit };
 
 /// Returns the fault of a primitive. Fields that its kind does not use may have any value.

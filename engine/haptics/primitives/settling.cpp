@@ -86,8 +86,8 @@ double share_within(vec3 start, vec3 along, double most) {
     return std::clamp(nearest + std::sqrt(room / square), 0.0, 1.0);
 }
 
-/// Share of its way to the balance, 0 to 1, that the proxy goes: as far as the spring's force changes by at
-/// most `most` (N).
+/// Share of the way to the balance (the place where all forces cancel), 0 to 1, that the proxy goes: the
+/// largest with which the spring's force changes by at most `most` (N).
 double share_of_way(const Settling& state, const ProxyWay& way, double most) {
     const vec3 start = force_at(way, way.from) - state.force;
     const vec3 along = way.spring.stiffness * (way.balance - way.from), whole = start + along;

@@ -14,9 +14,9 @@
 //     halve the step: such a proxy circles the place of rest.
 //   - The largest step of a tick shrinks steadily, whatever the field and the modes. So while hand and fields
 //     rest, the force changes by at most `min_pace` a tick after about 240 ticks.
-//   - The hand explains as much change of the force as its motion stretches spring and damper, and a moving
-//     field as much as its motion would stretch the spring. Beyond that the force changes by at most
-//     `max_pace` a tick, and at a steady speed by at most five times what the hand explains. So a moving hand
+//   - A change of the force is explained up to what the hand's motion adds by stretching spring and damper,
+//     and what a field's motion would add by stretching the spring. Beyond that the force changes by at most
+//     `max_pace` a tick, and at a steady speed by at most five times the explained change. So a moving hand
 //     feels a prompt force, and a wall that lets go, or takes hold, does so over some ticks.
 //
 // The limits apply to the force, not to the proxy's way, because with a damper the same way changes the force
@@ -43,11 +43,12 @@ inline constexpr std::uint32_t first_ticks = 14;
 /// Range within which a moving tip counts as at rest (m): the flicker of the coarsest encoder.
 inline constexpr double still_range = 1e-4;
 
-/// What is remembered of a proxy to limit its motion in a tick. All zero means that the proxy is new. No
+/// State of a proxy, from which its motion in a tick is limited. All zero means that the proxy is new. No
 /// padding.
 struct Settling {
     vec3 tip{};  ///< place of the tip in the last tick (m)
-    /// Place that follows the tip only beyond `still_range`; a tip that flickers within it rests (m).
+    /// Place that follows the tip only beyond `still_range`; a tip that flickers within this range counts as
+    /// at rest (m).
     vec3 rest{};
     vec3 step{};               ///< motion of the proxy in the last tick (m)
     vec3 balance{};            ///< place at which spring and primitives were in balance in the last tick (m)

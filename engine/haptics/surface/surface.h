@@ -153,7 +153,7 @@ struct SurfaceContact {
     vec3 force{};  ///< part of the force on the hand; the body gets the opposite (N)
 };
 
-/// What a contact remembers from tick to tick; no padding.
+/// State of a contact, kept from tick to tick; no padding.
 struct SurfaceState {
     vec3 proxy{};  ///< position of the proxy (m); valid if `begun`
     /// Touched surfaces, the first `contacts`, the most loaded first.
@@ -186,7 +186,7 @@ struct ContactResult {
 ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
                     double dt) noexcept;
 
-/// Distance of the proxy from surfaces; with it, rounding decides no side (m).
+/// Gap that the proxy keeps from surfaces (m). With it, rounding never decides on which side the proxy is.
 inline constexpr double surface_gap = 2e-10;
 
 /// The patch after its bodies have moved on for `seconds` (s).

@@ -61,9 +61,10 @@ struct Ring {
     field::Scalar operator()(vec3 place) const;
 };
 
-/// Several objects as one: f = -blend log sum exp(-f_i / blend). Its surface joins theirs by fillets of about
-/// the size of `blend`. Where two surfaces coincide, the common one lies blend log 2 further out. The order
-/// of the parts changes nothing but rounding.
+/// Several objects as one: f = -blend log sum exp(-f_i / blend), with the potential f_i of each object. The
+/// surface of f joins those of the objects by fillets of about the size of `blend`. Where two surfaces
+/// coincide, the common one lies blend log 2 further out. The order of the parts changes nothing but
+/// rounding.
 struct Merged {
     std::span<const field::ScalarField> parts{};
     double blend{};  ///< size of the fillets, > 0 (m)

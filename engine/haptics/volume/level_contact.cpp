@@ -141,9 +141,9 @@ vec3 onto_three(std::span<const ContactPlane> p, vec3 x) {
                    volume;
 }
 
-/// If the place of the first plane lies behind another plane, moves the latter back until it goes through
-/// that place. So the place of the first plane is behind none of the planes, and the proxy can always land
-/// there. Planes of a rough field could otherwise leave free only a wedge of space far from the tip.
+/// If the place of the first plane lies behind another plane, moves the other plane back until it goes
+/// through that place. So the place of the first plane is behind none of the planes, and the proxy can always
+/// land there. Planes of a rough field could otherwise leave free only a wedge of space far from the tip.
 ContactPlane in_front(ContactPlane plane, const ContactPlane& first) {
     if (behind(plane, first.place, 0)) plane.place = first.place;
     return plane;

@@ -47,7 +47,7 @@ struct ContactPlane {
 /// Planes through which the hand feels an isosurface in this tick.
 struct LevelContact {
     std::array<ContactPlane, 3>
-        planes{};  ///< the first `count` are in use; the first one is nearest to the proxy
+        planes{};  ///< the first `count` planes are in use; the first plane is nearest to the proxy
     std::uint32_t count{};
     /// The proxy lies behind the surface, so the first plane has to move the proxy and not only to hold it.
     bool behind{};

@@ -17,9 +17,9 @@ using SmoothRow = std::array<double, smooth_taps>;
 struct SmoothTaps {
     std::array<std::ptrdiff_t, smooth_taps> offset{};
     SmoothRow value{}, slope{};
-    int first{}, count{};  ///< sample of the first weight, and number of samples along the axis
+    int first{}, count{};  ///< index of the first of these samples, and number of samples along the axis
     bool whole{};          ///< the kernel does not reach beyond the first or the last sample
-    bool adjacent{};       ///< whole, and the samples follow each other in memory
+    bool adjacent{};       ///< true: `whole` is true, and the samples follow each other in memory
 };
 
 /// Weights of eight samples, from the weights `w` of four averages. Each average is over five neighbouring

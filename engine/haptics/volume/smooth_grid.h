@@ -5,9 +5,10 @@
 // 1 : 4 : 6 : 4 : 1. Its standard deviation is 1.15 samples. Value and gradient are continuous, and
 // so are the gradient's derivatives.
 //
-// Errors of the force's direction (largest, median) on a sphere with a radius of 40 samples, of 8-bit
-// densities that the samples cover in part (the hardest edge). Noise: that of the force on a tip that slides
-// on the flat face of such a block with 1 N. Time: of one read.
+// The table has the errors of the force's direction (largest, median) on a sphere with a radius of 40
+// samples. Each sample is an 8-bit density in proportion to the part of its box that lies in the sphere,
+// which is the hardest edge. Noise: that of the force on a tip that slides on the flat face of such a block
+// with 1 N. Time: that of one read of the field.
 //
 //     kernel                                    largest    median    noise     time
 //     this one                                  0.8 deg    0.09 deg   0.6 %    0.19 us

@@ -53,7 +53,7 @@ MaterialField material_field_of(const Source& source) {
             }};
 }
 
-/// Feel of the voxels with one material index, as factors of what their densities give.
+/// Feel of the voxels with one material index, as factors of the forces that their densities give.
 struct MaterialFeel {
     double stiffness{1};  ///< factor of the force S along the gradient and of the strength of walls, >= 0
     double viscosity{1};  ///< factor of the drag R, >= 0
@@ -73,9 +73,9 @@ struct GuidePlane {
 struct OpacityFeel {
     field::TransferFunction density{};   ///< share of the opacity by the density, 0 to 1
     field::TransferFunction gradient{};  ///< share of the opacity by the gradient's length (per m), 0 to 1
-    double stiffness{};         ///< force S along the gradient where the opacity a is 1: S = stiffness a (N)
-    double retarding{};         ///< drag R / v where a is 1, without the next field: R = (retarding
-                                ///< a + retarding_always) v (N s/m)
+    double stiffness{};  ///< force S along the gradient where the opacity a is 1: S = stiffness a (N)
+    /// Drag added where a is 1, R = (retarding a + retarding_always) v at the speed v (N s/m).
+    double retarding{};
     double retarding_always{};  ///< drag that does not depend on the opacity (N s/m)
     /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a
     /// thin structure instead of slipping off.
@@ -120,7 +120,7 @@ struct VolumeFeel {
     double share{1};
 };
 
-/// What a volume gives the hand besides primitives, and what was found at the tip.
+/// Effects of a volume on the hand besides primitives (forces on the proxy), and its properties at the tip.
 struct VolumeFelt {
     double viscosity{};  ///< coefficient C of the drag R = C v, for HapticModel::viscosity (N s/m)
     double opacity{};    ///< opacity at the tip, 0 to 1

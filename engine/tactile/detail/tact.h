@@ -12,9 +12,9 @@
 //                                  draw paths
 //
 // Numbers may be strings ("0.500"). The tracks are read if they have anything for the vest, otherwise the
-// frames in `feedback`. The frames do not come first, because files with paths have zeros there. Parts for
-// arms, head and hands are skipped and counted. A point on a path is felt between cells by the same law as
-// phantom actuators (phantom.h).
+// frames in `feedback`. The tracks come first because the frames of files with paths have only zeros. Parts
+// for arms, head and hands are skipped and counted. A point on a path is felt between cells by the same law
+// as phantom actuators (phantom.h).
 #pragma once
 #include <string_view>
 

@@ -24,7 +24,7 @@ void guess_active_set(Problem& problem, double square) {
     for (Term& term : terms_of(problem)) term.active = glm::dot(term.distance, term.distance) < square;
 }
 
-// ---- the flat ---------------------------------------------------------------------------------------------
+// ---- flat: the intersection of the active kinks -----------------------------------------------------------
 
 namespace {
 
@@ -42,8 +42,8 @@ void fix(Flat& flat, vec3& x, vec3 q, double height) {
     flat.normals[flat.count++] = normal;
 }
 
-/// Of the unit vectors normal to a kink (point, line or plane), the one along which x can still move best
-/// within the flat, the intersection of the kinks taken so far.
+/// Unit vector normal to a kink (point, line or plane) along which x can still move best within the flat, the
+/// intersection of the kinks taken so far.
 vec3 freest_normal(const Flat& flat, const Term& term) {
     if (term.identity == 0) return term.q;
     if (flat.count == 0) return normals_to(term.q)[0];

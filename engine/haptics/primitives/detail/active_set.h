@@ -36,8 +36,8 @@ Flat flat_of_active(Problem& problem, vec3& x);
 /// infinite on the kink of an inactive term. `matrix` becomes the derivative of the gradient. Updates
 /// distances and forces of the inactive terms.
 vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix);
-/// Newton's step of x along the flat, for a gradient `slope` of the energy along it and a second derivative
-/// `m`.
+/// Newton's step of x along the flat (the space within which x may move), for a gradient `slope` of the
+/// energy along it and a second derivative `m`.
 vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffness);
 /// Newton's method for x on the flat, the intersection of the active kinks. It restarts from an origin nearer
 /// to x if x has moved far away. Returns false if it does not converge: x is not near the minimum, or a kink

@@ -5,9 +5,9 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// For each PrimitiveKind (directed, point, line, plane): factor of the strength in the constant force,
-/// factors of I and q q^T in the projector, and factor of the strength in the term. Tables, because kinds
-/// come in any order and branches would be mispredicted.
+/// Factors for each PrimitiveKind (directed, point, line, plane): of the strength in the constant force, of
+/// the identity I and of q q^T (q: direction) in the projector, and of the strength in the term. They are
+/// tables, because kinds come in any order and branches would be mispredicted.
 constexpr std::array<double, 4> load_of_kind{1, 0, 0, 0.5}, identity_of_kind{0, 1, 1, 0},
     dyad_of_kind{0, 0, -1, 1}, strength_of_kind{0, 1, 1, 0.5};
 
@@ -15,7 +15,8 @@ constexpr std::array<double, 4> load_of_kind{1, 0, 0, 0.5}, identity_of_kind{0, 
 /// set_origin computes.
 void fill(Term& term, const Primitive& primitive, std::size_t source) {
     const auto kind = static_cast<std::size_t>(primitive.kind);
-    // The direction of a point may have any value, so zero replaces it, also without a branch.
+    // The direction of a point primitive may have any value, so zero replaces it. This needs no branch
+    // either.
     static constexpr vec3 none{};
     const vec3& direction = primitive.kind == PrimitiveKind::point ? none : primitive.direction;
     term.q = term.direction = direction;

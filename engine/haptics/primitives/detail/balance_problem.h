@@ -36,8 +36,8 @@ struct Term {
     bool active;         ///< true: x is assumed to lie on the term's kink
 };
 
-/// The terms of a problem, one for each kink. They take 3 KB and are copied at each guess, so only those in
-/// use are copied or cleared.
+/// The terms of a problem, each of which is the energy of one primitive with a kink. They take 3 KB and are
+/// copied at each guess, so only those in use are copied or cleared.
 struct Terms {
     std::array<Term, primitive_capacity> items;
     std::size_t count = 0;
@@ -89,8 +89,9 @@ inline vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + t
 
 inline double rounding_of(vec3 position) { return 16 * epsilon * (1e-30 + glm::length(position)); }
 
-/// Whether x is so near to the kink that world coordinates cannot tell them apart. The rounding of the
-/// spring's centre does not count, because the centre may be 1e12 times as far away.
+/// Whether x is so near to a term's kink (the point, line or plane of its primitive) that world coordinates
+/// cannot tell them apart. The rounding of the spring's centre does not count, because the centre may be 1e12
+/// times as far away.
 inline bool touches(const Term& term, double rounding_of_x) {
     const double least = std::max(term.rounding, rounding_of_x);
     return glm::dot(term.distance, term.distance) <= least * least;
@@ -105,8 +106,8 @@ Problem problem_of(const PrimitiveSet& set, const Spring& spring);
 /// Sets the origin of the problem's frame (world frame), and with it the offsets of all terms. The caller
 /// updates distances and x.
 void set_origin(Problem& problem, vec3 origin);
-/// Moves the origin of the problem's frame to the point nearest to x on the nearest kink, so that small
-/// distances have full precision. Does nothing if the present origin is nearer to x.
+/// Moves the origin of the problem's frame to the point nearest to x on the nearest kink (point, line or
+/// plane), so that small distances have full precision. Does nothing if the present origin is nearer to x.
 void move_origin(Problem& problem, vec3& x);
 /// Measures the distance of x from the kink of each term.
 void measure_distances(Problem& problem, vec3 x);

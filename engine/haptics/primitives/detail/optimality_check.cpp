@@ -18,7 +18,8 @@ void refresh_terms(Problem& problem, vec3 x) {
 }
 
 /// Largest difference between the force that the search has assigned to a term and the force that its
-/// primitive exerts at x (N). Terms on whose kink x lies do not count: their force is free.
+/// primitive exerts at x (N). Terms on whose kink x lies do not count, because x does not determine their
+/// force.
 double worst_misfit(const Problem& problem, vec3 x) {
     const double rounding = rounding_of(world_of(problem, x));
     double worst = 0;
@@ -31,13 +32,13 @@ double worst_misfit(const Problem& problem, vec3 x) {
 }
 
 /// Force that an active term (on whose kink x is assumed to lie) can still add until it reaches its strength
-/// (N); 1 % of the strength more, so that it never is zero.
+/// (N). 1 % of the strength is added, so that the result is never zero.
 double remaining_strength(const Term& term) { return 1.01 * term.strength - glm::length(term.dual); }
 
 /// Sum of all forces at x, which must vanish, and the strength that the active terms (whose kinks are assumed
 /// to hold x) have left to cancel it.
 struct Shortfall {
-    vec3 force{};      ///< sum of all forces, which a balance lacks (N)
+    vec3 force{};      ///< sum of all forces, which is zero in balance (N)
     Symmetric room{};  ///< sum of the active terms' projectors, weighted by their remaining strength (N)
     double most{};     ///< sum of the active terms' remaining strengths (N)
 };

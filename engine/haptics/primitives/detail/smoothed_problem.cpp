@@ -14,8 +14,8 @@ double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, 
     return slope;
 }
 
-/// Fraction of the step to try next, between `low` and `high`: where the step passes nearest to a kink,
-/// because the slope changes quickly there. The middle if it passes none.
+/// Fraction of the step to try next, between `low` and `high`. It is where the step passes nearest to a kink,
+/// because the slope changes quickly there, or the middle of `low` and `high` if the step passes no kink.
 double next_try(const Problem& problem, vec3 step, double low, double high) {
     for (const Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);

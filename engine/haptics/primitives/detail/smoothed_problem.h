@@ -1,6 +1,6 @@
 // haptics/primitives/detail/smoothed_problem.h: step 1 of balance.cpp: minimises the energy with its kinks
-// rounded off. The distance |m| of each term is replaced by sqrt(|m|^2 + d^2) with a smoothing d. Newton's
-// method with x and the forces y of the terms as separate unknowns (Chan, Golub, Mulet 1999; Andersen,
+// rounded off. The distance |m| of each term is replaced by sqrt(|m|^2 + d^2) with a smoothing d. The method
+// is Newton's with x and the forces y of the terms as separate unknowns (Chan, Golub, Mulet 1999; Andersen,
 // Christiansen, Conn, Overton 2000). Degenerate sets (parallel, coincident or meeting in a point) need no
 // special case: the matrix is k I plus a positive semidefinite part.
 #pragma once

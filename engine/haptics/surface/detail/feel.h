@@ -23,8 +23,8 @@ struct Share {
 using Shares = std::array<Share, max_walls>;
 
 /// Computes the force on the hand (N), and each wall's share of it. A share is the force of the wall's own
-/// push plus a part of friction and damping. These belong to all walls together, and are divided in
-/// proportion to depth.
+/// push plus a part of friction and damping. Friction and damping belong to all walls together, and are
+/// divided in proportion to depth.
 vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares);
 
 }  // namespace thaum::haptics

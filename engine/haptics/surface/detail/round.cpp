@@ -139,8 +139,8 @@ bool place_on(const Path& path, double s, vec3& y) {
 /// Path on one piece of surface to its place nearest to the tip, by steepest descent of the distance to the
 /// tip.
 Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
-    // Sine of the angle about the core between proxy and tip below which the proxy is pulled neither way
-    // round it.
+    // Sine of the angle about the core between proxy and tip below which they count as in line, so that the
+    // proxy is pulled neither way round the core.
     constexpr double opposite = 1e-15;
     Path path{.pieces = {piece}, .count = 1};
     const double height =

@@ -23,9 +23,9 @@ namespace thaum::haptics {
 /// Whether one of the walls (planes at the touched surfaces) is the tangent plane of a round surface.
 bool is_round(const Scene& scene, const Walls& walls, vec3 x);
 
-/// Turns the walls of round surfaces to their tangent planes at x. If there are such walls, removes all walls
-/// whose surface does not reach x, unless the proxy has just met it there. `moved`: the last move has changed
-/// the proxy's place.
+/// Turns the walls (planes at the touched surfaces) of round surfaces to their tangent planes at x. If there
+/// are such walls, removes all walls whose surface does not reach x, unless the proxy has just met it there.
+/// `moved`: the last move has changed the proxy's place.
 void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved);
 
 enum class RoundEnd : std::uint8_t { rests, moved, limited };
@@ -36,8 +36,9 @@ struct RoundGoal {
     bool was_sliding{};  ///< the proxy slid in the last tick
 };
 
-/// Moves the proxy along its walls, at least one of which is round. It stops where friction holds it, the
-/// walls release it, another surface begins, or the space ends whose surfaces are known.
+/// Moves the proxy along its walls (planes at the touched surfaces), at least one of which is of a round
+/// surface. It stops where friction holds it, the walls release it, another surface begins, or the space ends
+/// whose surfaces are known.
 RoundEnd slide_round(const Scene& scene, SlideState& slide, const RoundGoal& goal);
 
 }  // namespace thaum::haptics

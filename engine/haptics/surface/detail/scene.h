@@ -3,7 +3,7 @@
 //
 // The proxy stays `surface_gap` outside of the true surfaces. Rounding (1e-16 of a coordinate) then never
 // decides on which side of a surface the proxy is. A triangle is hit if the path crosses the triangle itself,
-// not the same triangle moved out by the gap: two triangles that meet in a ridge would then leave a slit
+// not the same triangle moved out by the gap: two moved triangles that meet in a ridge would leave a slit
 // between them. So a mesh whose triangles share corners has no holes.
 #pragma once
 #include "haptics/surface/surface.h"

@@ -64,7 +64,8 @@ ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::s
     return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
 }
 
-/// Keeps only the walls of the set, with their depths. The set names them in the order of `walls`.
+/// Keeps only the walls (planes at touched surfaces) of the active set, with their depths. The set names them
+/// in the order of `walls`.
 void keep(Walls& walls, const ActiveSet& active) {
     for (std::size_t i = 0; i < active.count; ++i) {
         const std::size_t from = active.walls[i];

@@ -29,8 +29,8 @@ inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
 
-/// Adds a wall. It replaces a wall of the same surface, because a round surface has another plane at each
-/// place.
+/// Adds a wall (plane at a touched surface). It replaces an earlier wall of the same surface, because a round
+/// surface has another plane at each place.
 inline void add_wall(Walls& walls, const Wall& wall) {
     for (std::size_t i = 0; i < walls.count; ++i) {
         if (walls.items[i].surface != wall.surface) continue;
@@ -70,7 +70,7 @@ double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool slidi
 /// past an edge.
 bool stands(const Scene& scene, const Wall& wall, vec3 x);
 
-/// Whether the surfaces of all walls still are at the proxy.
+/// Whether the proxy still is at the surfaces of all walls (planes that hold it).
 bool all_stand(const Scene& scene, const Walls& walls, vec3 x);
 
 /// Sorts the walls (planes at touched surfaces) by the depth of the tip behind them, the deepest first. There

@@ -42,9 +42,9 @@ constexpr double min_slew = 0.25;
 /// along the normal). At less depth, a step in the drawn surface on the tip's way may put the tip outside of
 /// the body, and the force would end at once.
 constexpr double let_go = 0.75;
-/// Depth in the drawn body that the tip must keep on its way ahead, as a share of the height of its plane
-/// above it. It is more than the plane needs to sink in time, since the reads ahead may miss the top of a
-/// step.
+/// Depth in the drawn body that the tip must keep on its way ahead, as a share of the height of the plane
+/// above the tip. The share is larger than a plane needs to sink in time, since the reads ahead may miss the
+/// top of a step.
 constexpr double depth_ahead = 0.45;
 /// Distance between two reads of the field on the tip's way ahead (samples), their largest number, and the
 /// shortest way that is examined (samples).
@@ -60,8 +60,8 @@ constexpr double ground_below = 0.5;
 /// `still_felt` is the share of the tip's depth that the hand must still feel while the plane sinks.
 constexpr std::array<double, 3> early{0, 1, 1.5};
 constexpr double still_felt = 0.01;
-/// Distance between the place of the first plane and the proxy's landing place up to which one step of the
-/// samples may explain that the landing place is in the body (samples).
+/// Largest distance of the proxy's landing place from the place of the first plane (samples) at which a
+/// single step of the samples may explain that the landing place is in the body.
 constexpr double beside_samples = 0.25;
 /// Depth from which on the place where the proxy would land counts as inside the body, and accuracy with
 /// which a place on the surface is found (m).
@@ -131,7 +131,8 @@ double shown_value(const field::SampleBox& box, vec3 at) {
 }
 
 /// Share by which the averages count at a place in the samples' frame. It falls to 0 near the border, where
-/// the kernel would reach far beyond the averages, unless only averages show directions.
+/// the kernel would reach far beyond the averages, unless the samples make such coarse steps that only
+/// averages show directions.
 double averages_share(const field::SampleBox& box, vec3 at) {
     // Distances from the outermost averages up to which they do not count, and from which on they count fully
     // (in distances between averages).
@@ -205,7 +206,7 @@ std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here)
 }
 
 /// Gradient of the field at a place. If the averages of blocks of samples give nearly the same direction and
-/// have their surface near the place, their direction is used. For a thin sheet they may do neither.
+/// have their surface near the place, their direction is used. For a thin sheet the averages may do neither.
 std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     // Cosines of the angle between both gradients up to which the averages do not count, and from which on
     // they count fully.
@@ -286,7 +287,7 @@ vec3 BodySearch::crossing(Bracket b, double accuracy) {
         (side < 0 ? at_low : at_high) = here;
         if (side == last) (side < 0 ? at_high : at_low) *= 0.5;
         last = side;
-        // The straight line through the values at both ends tells how far the place may still be off.
+        // The straight line through the values at both ends shows how far the place may still be off.
         if (std::abs(here) * (high - low) * length <= accuracy * std::abs(at_high - at_low)) break;
     }
     return glm::mix(b.from, b.to, t);
@@ -345,7 +346,7 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const double most = std::min(depth_share * depth, max_eased * fine_);
     const double late = std::min(max_late * sample, late_reach * surface_.reach);
     const double wanted = std::clamp(step, -most, most);
-    // The tip's motion along the normal changes the force, too, so the plane may move by that much less.
+    // The tip's motion along the normal changes the force, too, so it leaves less of the slew to the plane.
     const double up = std::max(slew + std::min(own, 0.0), min_slew * slew);
     const double down = std::max(slew - std::max(own, 0.0), min_slew * slew);
     const double lowest = std::min({height - down, sinking_share * depth, late});
@@ -418,8 +419,8 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
                    {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
 }
 
-/// The place on the surface of the smoothed field near a place, if the plane belongs just there because the
-/// tip is deep enough (see eased()). This shortcut takes fewer reads of the field than a search.
+/// The place on the surface of the smoothed field near a place, if the tip is so deep that its plane lies
+/// just there (see eased()). This shortcut takes fewer reads of the field than a search.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
     const double most = max_eased * fine_;
     if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;
@@ -498,9 +499,9 @@ std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 targ
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
     if (!solid(place + min_depth * normal)) return std::nullopt;
-    // The place where the proxy would land lies in the body. Near the place of the first plane, this may only
-    // be a step that the samples make in the surface; the first plane is meant to smooth it out. If the body
-    // reaches higher up, it is more than a step, and needs a plane of its own.
+    // The place where the proxy would land lies in the body. Near the place of the first plane, the reason
+    // may be only a step that the samples make in the surface; the first plane smooths such steps out. If the
+    // body reaches higher up, it is no step, and needs a plane of its own.
     const vec3 plane_at = to_box(contact_.planes[0].place);
     const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
     if (beside && !solid(place + max_late * fine_ * normal)) return std::nullopt;

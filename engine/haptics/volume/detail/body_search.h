@@ -3,10 +3,10 @@
 //
 // The place of the surface comes from the samples that are drawn, linear between them (the drawn surface). So
 // sheets of one sample are felt too. The direction of the surface comes from a smoothed field, whose own
-// surface is the smooth surface (haptics/volume/smooth_grid.h). Averages of blocks of samples give a less
-// rough direction, where the box has them and both directions nearly agree; near the border of the box only
-// if slices make coarse steps. A field that no picture shows, such as a filtered one, gives both place and
-// direction.
+// surface is the smooth surface (haptics/volume/smooth_grid.h). If the box has averages of blocks of samples,
+// and their direction nearly agrees with that of the smoothed field, they give the direction, because it is
+// less rough. Near the border of the box they do so only if the samples make coarse steps. A field that no
+// picture shows, such as a filtered one, gives both place and direction.
 //
 // Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the
 // smooth field has its surface, but not farther from the drawn surface than a share of the tip's depth. Then
@@ -59,7 +59,7 @@ private:
         vec3 up{};
         double depth{};  ///< depth of the place behind the surface, estimated by value and slope (m)
     };
-    /// A part of a straight line that begins free and ends in the body, or the reverse.
+    /// A part of a straight line with one end outside the body and the other end inside.
     struct Bracket {
         vec3 from{}, to{};
         double at_from{}, at_to{};  ///< depth in the body at both ends (inside())
@@ -70,8 +70,8 @@ private:
     vec3 to_samples(vec3 place) const;
     bool in_box(vec3 place) const;
     bool is_solid(double inside) const;
-    /// Depth in the body, in units of the field; -infinity outside of the box
-    /// and where the field has no number.
+    /// Depth in the body, in units of the field; -infinity outside of the box and where the field is not
+    /// finite.
     double inside(vec3 place);
     bool solid(vec3 place) { return is_solid(inside(place)); }
     std::optional<Way> way_out(vec3 place);
