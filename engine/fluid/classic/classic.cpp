@@ -135,7 +135,7 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
 
 /// Subtracts the gradient of the pressure, so that the flow becomes nearly free of divergence. Some
 /// divergence remains for two reasons: a few Gauss-Seidel sweeps do not solve the pressure exactly, and a
-/// difference across two cells does not see the shortest waves.
+/// difference across two cells is zero for the shortest waves.
 void project(Fluid& fluid, ClassicScratch& scratch) {
     write_divergence(fluid, scratch.source);
     std::ranges::fill(fluid.state.pressure, 0.0F);

@@ -6,8 +6,8 @@
 #include "fluid/floats8.h"
 
 namespace thaum::fluid {
-/// Factors of the sums of fluxes and of viscous stresses. Not in the unnamed namespace, since a closure of a
-/// member function holds them.
+/// Factors of the sums of fluxes and of viscous stresses. Not in the unnamed namespace, because a lambda in a
+/// member function captures them.
 struct FluxFactors {
     float flux, spread;
 };

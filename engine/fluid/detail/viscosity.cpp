@@ -13,9 +13,9 @@ namespace {
 /// Strength of the drag on a dragged face (a cut face whose centre lies in the solid or close to it): this
 /// factor times nu dt / h^2, divided by the distance from the centre of the open part to the wall (cells).
 constexpr float drag_factor = 8;
-/// Limits of the explicit half for a link (coupling of two places by viscosity) between open places, and for
-/// one to a wall. Even if both links of a place are at their limit, no wave grows in the explicit half, so
-/// energy only falls. Between open places all values stay within their previous range.
+/// Largest coefficient that acts in the explicit half of a step, for a link (coupling of two places by
+/// viscosity) between open places, and for one to a wall. With both links of a place at this limit no wave
+/// grows in that half, so energy only falls. Between open places all values stay within their previous range.
 constexpr float max_explicit_link = 0.25F;
 constexpr float max_explicit_wall_link = 0.5F;
 
@@ -144,14 +144,14 @@ bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrd
     return any_of(any);
 }
 
-/// What the coefficients of the links (viscous couplings) from a place of each line to the next place follow
-/// from.
+/// Inputs from which the coefficients of the links (viscous couplings) from a place of each line to the next
+/// place are computed.
 struct LinksToNext {
     const float *own, *next;  ///< viscous coefficients of both places
     /// Coefficients of the six places around the link; used if a border of two fluids may be there.
     LinkRows around;
     const float* nearer;  ///< factors of the links, 1 where no wall cuts one; null: all are 1
-    bool holds;           ///< whether a closed place brakes the other one
+    bool holds;           ///< true: a closed place (in a solid) brakes its open neighbour
     float most;           ///< largest coefficient of a link that no wall cuts
 };
 
