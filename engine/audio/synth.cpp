@@ -93,7 +93,7 @@ Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::p
 
 namespace {
 
-/// A sound with all that its recipe says of it, but still without samples.
+/// Makes a sound with the name, texts and other properties of its recipe, but without samples.
 Sound head_of(const Recipe& recipe) {
     return {.name = recipe.name,
             .description = recipe.description,

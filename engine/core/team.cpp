@@ -33,7 +33,7 @@ inline void pause() {
 }  // namespace
 
 void Team::open() {
-    // The number of the loop changes, too: a helper must not take what it saw before for the present state.
+    // The number of the loop changes, too, so that no helper takes an earlier state for the present one.
     const std::uint64_t before = work_.load(std::memory_order_relaxed);
     work_.store((before / next_loop + 1) * next_loop | open_bit, std::memory_order_release);
 }
@@ -53,8 +53,8 @@ unsigned Team::sit_down() {
     return 0;
 }
 
-/// Does one slice of the loop that the helper has seen, the last that is left. False if something has changed
-/// meanwhile; then `seen` is the present state.
+/// Does the last slice that is left of the loop that the helper has seen. Returns false if the state has
+/// changed meanwhile; then `seen` is the present state.
 bool Team::take(std::uint64_t& seen, unsigned seat) {
     if (!work_.compare_exchange_weak(seen, seen + one_behind, std::memory_order_acquire)) return false;
     loop_.call(loop_.body, slices_of(seen) - 1 - back_of(seen), seat);
@@ -77,8 +77,8 @@ void Team::help() {
     if (!is_open(seen)) return;
     const unsigned seat = sit_down();
     if (seat == 0) return;
-    // A failed attempt to take a slice also changes `seen`. So each change is followed by the test for an
-    // open team: a helper that waited in a closed team would not be woken.
+    // A failed attempt to take a slice also changes `seen`, so the loop tests `seen` after each change. A
+    // helper that waited in a closed team would not be woken.
     while (is_open(seen)) {
         if (all_taken(seen))
             seen = wait_for_change(seen);

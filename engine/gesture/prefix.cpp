@@ -39,9 +39,9 @@ constexpr double prior_freedom = 4;
 constexpr float hand_scatter = 0.03F;
 /// Smallest duration that counts (s); shorter ones, and that of a stroke without times, are raised to it.
 constexpr float min_seconds = 0.001F;
-/// Mean squared distance of the points of two shapes, by which beginnings are chosen, divided by their
-/// elastic distance. It brings what lengths and durations add to an elastic distance to the scale of the
-/// former.
+/// Converts an elastic distance of two shapes to a mean squared distance of their points, the measure by
+/// which beginnings are chosen. The differences of lengths and durations, which are given as elastic
+/// distances, are multiplied by it.
 constexpr float squares_to_elastic = 4;
 constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
 constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
@@ -255,8 +255,8 @@ void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end
     }
 }
 
-/// Raises the distance of each gesture, that of its nearest recorded stroke, if its other strokes are
-/// farther. A gesture is likelier if all its recorded strokes are near than if only one is.
+/// The distance of a gesture is that of its nearest recorded stroke. Raises it if its other strokes are
+/// farther: a gesture is likelier if all its recorded strokes are near than if only one is.
 void PrefixReader::join_strokes(PrefixSpace& space) const {
     std::size_t s = 0;
     for (std::uint32_t g = 0; g < names_.size(); ++g) {

@@ -1,10 +1,10 @@
 // input/log.h: the input log (.thaumlog): everything needed to play a match again, and hashes to check the
 // replay. FORMAT.md gives every byte.
 //
-// Recording must not disturb a match and must outlive it. The simulation thread copies frames into blocks of
-// 512 ticks. A thread of the log packs and writes them, so kill -9, a crash or a full disk costs the last
-// block or two. It flushes them to the disk every second, so a power cut costs a few seconds. Reading trusts
-// nothing: every byte is under a checksum, and every size has a limit.
+// Recording must not disturb a match, and the log must survive a crash of the program. The simulation thread
+// copies frames into blocks of 512 ticks. A thread of the log packs and writes them, so kill -9, a crash or a
+// full disk costs the last block or two. It flushes them to the disk every second, so a power cut costs a few
+// seconds. A reader does not trust the file: every byte is under a checksum, and every size has a limit.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -54,7 +54,7 @@ struct MoverState {
 static_assert(std::is_trivially_copyable_v<MoverState>);
 static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
-/// What one step of a mover (a walking person) came to.
+/// Result of one step of a mover (a walking person).
 struct MoverResult {
     bool grounded{};
     bool jumped{};

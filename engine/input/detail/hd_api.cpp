@@ -102,7 +102,8 @@ struct Loaded {
     Api api{};
 };
 
-/// All loaded libraries. Never destroyed, because they may still call or be called late.
+/// All loaded libraries. Never destroyed, because a library may still call, or be called, as the program
+/// ends.
 struct LoadedLibraries {
     std::mutex mutex;
     std::list<Loaded> all;

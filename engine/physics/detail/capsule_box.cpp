@@ -16,7 +16,8 @@
 namespace thaum::physics::detail {
 namespace {
 
-/// A capsule's axis this close to the box is inside it, as far as the direction of the contact goes (m).
+/// Distance from the box below which a capsule's axis counts as inside it, since the direction of the contact
+/// is then uncertain (m).
 constexpr double inside = 1e-6;
 /// Components of the half axis below this count as zero, so that an axis along a face touches it with its
 /// middle and not, by rounding, with an end (m).

@@ -97,7 +97,8 @@ struct Physics::Impl {
     /// keys.
     template <class Each>
     void each_near(const detail::Box&, const Each& each) const;
-    /// The same for bodies whose bounding box meets the path.
+    /// Calls `each` for each body whose bounding box meets that of the path, and possibly for others, in the
+    /// order of keys.
     template <class Each>
     void each_along(detail::Path, const Each& each) const;
 };
