@@ -74,7 +74,7 @@ void prepare_openal();
 /// Mixes the frame's voices into blocks of samples.
 class Mixer {
 public:
-    /// Copies the samples of the bank. The error is one line: no OpenAL, or one without loopback devices.
+    /// Copies the samples of the bank. The error is one line: OpenAL is missing or lacks loopback devices.
     static Expected<Mixer> create(const SoundBank& bank, const MixSettings& settings);
     Mixer(Mixer&& other) noexcept;
     Mixer& operator=(Mixer&& other) noexcept;

@@ -65,7 +65,7 @@ void remove_offset(Canvas& canvas) {
     }
 }
 
-/// Lets a sound begin and end with silence.
+/// Fades a sound in and out, so that it begins and ends with silence.
 void fade(Canvas& canvas) {
     if (canvas.loops()) return;
     auto& samples = canvas.samples();

@@ -32,7 +32,7 @@ public:
     std::size_t size() const { return size_; }
     /// Position of the next byte.
     std::size_t position() const { return position_; }
-    void go_to(std::size_t position) { position_ = position; }  ///< the next byte is read there
+    void go_to(std::size_t position) { position_ = position; }  ///< sets the position of the next byte
     /// Reads the next bytes and returns their number. It is less than `out` has room for only at the end of
     /// the file. The error names the path.
     Expected<std::size_t> read(std::span<std::byte> out);

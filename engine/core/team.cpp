@@ -44,7 +44,8 @@ void Team::close() {
     work_.notify_all();
 }
 
-/// Gives the calling helper a seat; 0, which is the leader's, if none is free.
+/// Gives the calling helper a seat, which is the number of a thread in the team; 0, which is the leader's, if
+/// none is free.
 unsigned Team::sit_down() {
     for (unsigned seat = 1; seat < max_threads; ++seat) {
         const unsigned bit = 1U << seat;

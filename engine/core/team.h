@@ -80,7 +80,7 @@ private:
     alignas(64) std::atomic<std::uint64_t> work_{0};
     Loop loop_{};                                 ///< written by the leader while no slice can be taken
     alignas(64) std::atomic<int> done_{0};        ///< number of slices that have ended
-    alignas(64) std::atomic<unsigned> seats_{0};  ///< a bit for each helper that is there
+    alignas(64) std::atomic<unsigned> seats_{0};  ///< one bit for each helper that has joined
 };
 
 }  // namespace thaum

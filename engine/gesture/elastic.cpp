@@ -125,8 +125,8 @@ inline void transpose_four(const std::array<const float*, lanes>& values, std::s
 }
 #else
 /// Transposes four values of each template, from index `place` on, so that the values of all templates are
-/// adjacent. This version is for processors without registers of eight floats, on which the other one would
-/// be much slower.
+/// adjacent. This version is for processors without registers of eight floats, on which the version with
+/// vectors of eight floats would be much slower.
 inline void transpose_four(const std::array<const float*, lanes>& values, std::size_t place, float* to) {
     for (std::size_t k = 0; k < lanes; k += 4, to += 4) {
         const auto a = load<Floats4>(values[k] + place), b = load<Floats4>(values[k + 1] + place),

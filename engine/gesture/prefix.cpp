@@ -34,8 +34,8 @@ constexpr double agreement_weight = 0.002, min_variance = 0.003;
 /// How far the weight of lengths (or durations) that holds without recorded strokes is trusted: as if it came
 /// from recorded strokes with this number of degrees of freedom.
 constexpr double prior_freedom = 4;
-/// A recorded stroke counts e times less than the nearest one of its gesture if it is farther from the stroke
-/// so far by this distance.
+/// A recorded stroke counts e times less than the nearest one of its gesture if its distance from the stroke
+/// so far is larger by this number.
 constexpr float hand_scatter = 0.03F;
 /// Smallest duration that counts (s); shorter ones, and that of a stroke without times, are raised to it.
 constexpr float min_seconds = 0.001F;

@@ -47,7 +47,8 @@ class Recogniser;
 /// with a stroke that is still being drawn.
 inline constexpr std::array<double, lanes> prefix_shares{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1};
 
-/// The first points of a stroke, up to a share of its length (0 to 1). At least one, if there is one.
+/// The first points of a stroke, up to a share of its length (0 to 1). There is at least one point, unless
+/// the stroke is empty.
 Points beginning_of(Points stroke, double share);
 
 /// Probability from which on the likely gesture is shown to the player, and probability below which a gesture
@@ -79,7 +80,8 @@ struct PrefixSettings {
 struct PrefixSpace {
     /// Beginning of a recorded stroke that is to be compared elastically.
     struct Candidate {
-        /// Distance from the stroke so far by the dot product, plus what lengths and durations add.
+        /// Distance from the stroke so far by the dot product, plus the amounts that differences of length
+        /// and of duration add.
         float distance{};
         std::uint32_t place{};  ///< index of the recorded stroke in PrefixReader's beginnings
         std::uint32_t lane{};   ///< index in prefix_shares at which the stroke is cut
@@ -89,7 +91,7 @@ struct PrefixSpace {
     EightShapes eight{};
     std::array<std::array<float, shape_points * max_channels>, lanes> chosen{};
     std::vector<Candidate> candidates{};
-    /// Of one gesture, the beginning of a recorded stroke that is nearest to the stroke so far.
+    /// For one gesture, the beginning of a recorded stroke that is nearest to the stroke so far.
     struct Nearest {
         float distance{};
         /// Natural logarithm of the share of the recorded stroke's length that the stroke so far has reached.

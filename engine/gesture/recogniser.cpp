@@ -234,7 +234,7 @@ void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace&
         const Ints8 ranks = ranks_of(k, space.scores_.data(), count);
         for (std::size_t lane = 0; lane < std::min(lanes, count - k); ++lane) {
             const auto rank = static_cast<std::size_t>(ranks[lane]);
-            // Templates of rank `most` or worse all go to the one place after the best, which nobody reads.
+            // Templates of rank `most` or worse all go to the one place after the best, which is never read.
             space.survivors_[std::min(rank, most)] = space.compared_[k + lane];
         }
     }

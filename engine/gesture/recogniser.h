@@ -131,8 +131,8 @@ public:
     /// Recognises a part of continuous motion like a whole stroke, except that no rest of the hand is left
     /// out.
     Recognition recognise_part(Points part, RecogniserSpace& space) const;
-    /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke
-    /// that means nothing to it is taken.
+    /// Recognises a stroke as if the recogniser lacked the gesture `left_out`. With strokes of that gesture
+    /// this tests how strokes that mean nothing are treated.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
     /// Probability that a stroke was meant as `gesture`, given its distances from this gesture and from the
@@ -141,8 +141,8 @@ public:
                           float runner_up_distance) const;
     /// How hard a stroke of this gesture was drawn, by its mean force (unit of the device).
     ForceClass force_class(std::uint32_t gesture, double mean_force) const;
-    /// True if the two gestures are twins: only force tells their strokes apart. A gesture is no twin of
-    /// itself.
+    /// True if the two gestures are twins: of one shape, so that only force tells their strokes apart. A
+    /// gesture is no twin of itself.
     bool are_twins(std::uint32_t a, std::uint32_t b) const;
     /// Of a gesture and its twins (gestures of its shape with another force), the one whose templates have
     /// the mean force nearest to `mean_force`.
@@ -150,7 +150,7 @@ public:
 
     /// True if the course of the force within a stroke counts. It does not if it is switched off, or if the
     /// recorded forces only follow the speed of the hand (unless RecogniserSettings::pace_counts); mean
-    /// forces still tell twins apart then.
+    /// forces still tell twins (gestures of one shape) apart then.
     bool counts_force() const { return counts_force_; }
     /// True if some gesture takes z, the depth of a stroke, into account.
     bool needs_solid() const { return needs_solid_; }
@@ -225,8 +225,8 @@ private:
 
     RecogniserSettings settings_;
     std::vector<std::string> names_;
-    /// Options of each gesture. Where it sets no bounds of gentle and harsh force, the usual ones are filled
-    /// in.
+    /// Options of each gesture. Where a gesture sets no bounds of gentle and harsh force, the usual ones are
+    /// filled in.
     std::vector<GestureOptions> options_;
     std::vector<std::uint32_t> strokes_of_;          ///< number of recorded strokes of each gesture
     std::vector<double> template_force_;             ///< mean force of the templates of each gesture

@@ -294,7 +294,8 @@ StepReport report_of(const Fluid& fluid, Samples& divergence) {
     for (const Samples& component : fluid.state.velocity)
         result.speed = std::max(result.speed, largest(fluid.lattice, component));
     write_divergence(fluid, divergence);
-    // write_divergence gives the divergence times -h^2; the report has it times h and divided by the speed.
+    // write_divergence gives the divergence times -h^2; the report holds the divergence times h, divided by
+    // the largest speed.
     if (result.speed > 0)
         result.divergence = largest(fluid.lattice, divergence) / (fluid.lattice.h * result.speed);
     result.energy = energy(fluid);

@@ -49,7 +49,8 @@ private:
         /// Index of the target's first source; the sources end where those of the next target begin.
         std::uint32_t first{};
     };
-    /// For one component of the velocity: the faces whose velocities are fitted, and the faces from which.
+    /// For one component of the velocity: the faces whose velocities are fitted, and the open faces to whose
+    /// velocities they are fitted.
     struct Component {
         /// The faces whose velocities are fitted, then an entry without sources. It marks the end of the last
         /// face's sources.

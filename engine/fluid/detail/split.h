@@ -22,7 +22,7 @@ struct Split {
     Layers operator[](int slice) const { return {count * slice / slices, count * (slice + 1) / slices}; }
 };
 
-/// Calls body(layers, seat) for each slice; the seat is that of Team::each.
+/// Calls body(layers, seat) for each slice; the seat is the number of the thread in the team (Team::each).
 template <class Body>
 void each_slice(Team& team, const Split& split, Body&& body) {
     team.each(split.slices, [&](int slice, unsigned seat) { body(split[slice], seat); });

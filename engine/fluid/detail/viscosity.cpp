@@ -296,7 +296,7 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
     }
 }
 
-/// Whether no wall drags on these lines, so that a velocity that all places share stays as it is.
+/// Whether no wall drags on these lines. A velocity that all places share then stays unchanged.
 bool is_loose(const Lines& lines, bool solids) {
     return !solids && (lines.edge == Edge::periodic || (lines.edge == Edge::free_slip && !lines.through));
 }

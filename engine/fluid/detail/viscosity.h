@@ -133,7 +133,8 @@ private:
     std::array<std::array<std::vector<OpenRange>, 3>, 3> open_ranges_;
     /// dt nu / (passes h^2) at each face of a component; below 0 on closed faces.
     std::array<Samples, 3> face_coefficients_;
-    std::array<LineScratch, Team::max_threads> scratch_;  ///< by the seat of the thread
+    /// One for each thread, by its seat (number in the team).
+    std::array<LineScratch, Team::max_threads> scratch_;
     std::vector<float> closed_;
 };
 

@@ -159,7 +159,7 @@ unsigned int take_error(const Api& api) {
     for (int i = 0; i < more_than_a_stack; ++i) {
         const auto code = api.hdGetError().code;
         if (code == 0) break;
-        first = code;  // the newest error comes first, so the last is the oldest
+        first = code;  // the library gives the newest error first, so the last is the oldest
     }
     return first;
 }

@@ -50,7 +50,7 @@ std::span<const double> pieces(vec3 centre, vec3 half, vec3 box_half, std::array
     return std::span(into).first(count);
 }
 
-/// Place of the nearest point, from -1 to 1 along the segment. The slope never falls along it.
+/// Place of the nearest point, from -1 to 1 along the segment. The slope never falls along the segment.
 double nearest_place(vec3 centre, vec3 half, vec3 box_half) {
     std::array<double, 8> room;
     double place = -1, lowest = 1, highest = -1, before = 0;
