@@ -20,8 +20,8 @@ int back_of(std::uint64_t work) { return part_of(work, back_at); }
 bool all_taken(std::uint64_t work) { return front_of(work) + back_of(work) >= slices_of(work); }
 bool is_open(std::uint64_t work) { return (work & open_bit) != 0; }
 
-/// Number of looks for new slices after which a helper sleeps, about 100 us; and after which a leader that
-/// waits for the helpers' last slices gives up its processor, which a helper may need.
+/// Number of checks for new slices, about 100 us, after which a helper sleeps. After as many checks for the
+/// end of the helpers' last slices, the leader gives up its processor, which a helper may need.
 constexpr int looks = 1500;
 
 inline void pause() {
@@ -78,7 +78,7 @@ void Team::help() {
     if (!is_open(seen)) return;
     const unsigned seat = sit_down();
     if (seat == 0) return;
-    // A failed attempt to take a slice also changes `seen`, so the loop tests `seen` after each change. A
+    // A failed attempt to take a slice also changes `seen`, so the loop tests `seen` after each change: a
     // helper that waited in a closed team would not be woken.
     while (is_open(seen)) {
         if (all_taken(seen))

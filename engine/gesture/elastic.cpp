@@ -42,8 +42,8 @@ struct EightStrokes {
 };
 
 /// Costs of matching one point of a stroke to one of a template, lane by lane (template by template), times
-/// `robustness`. Only the final sum of costs is divided by it, which saves a multiplication for each pair of
-/// points. As it is a power of two, this changes no bit.
+/// `robustness`. Only the final sum of costs is divided by `robustness`, which saves a multiplication for
+/// each pair of points. As it is a power of two, this changes no bit.
 template <std::size_t channels>
 inline Wide cost_of(const std::array<Wide, channels>& p, const float* q) {
     Wide squares = p[0] - load<Wide>(q);

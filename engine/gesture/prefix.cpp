@@ -31,7 +31,7 @@ constexpr float max_for_difference = 0.12F;
 /// logarithms of the lengths of the strokes recorded for one gesture have the variance v, the weight is
 /// agreement_weight / (v + min_variance).
 constexpr double agreement_weight = 0.002, min_variance = 0.003;
-/// How far the weight of lengths (or durations) that holds without recorded strokes is trusted: as if it came
+/// Trust in the weight of lengths (or durations) that holds without recorded strokes: it counts like a weight
 /// from recorded strokes with this number of degrees of freedom.
 constexpr double prior_freedom = 4;
 /// A recorded stroke counts e times less than the nearest one of its gesture if its distance from the stroke
@@ -274,8 +274,8 @@ bool PrefixReader::are_twins(std::uint32_t a, std::uint32_t b) const {
     return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
 }
 
-/// Probability, 0 to 1, that a gesture is meant and none of its twins (gestures of its shape with another
-/// force), by the mean force of the stroke so far.
+/// Probability, 0 to 1, that a gesture is meant rather than one of its twins (gestures of its shape with
+/// another force), by the mean force of the stroke so far.
 double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& space) const {
     constexpr float tiny = 1e-30F;  // stands for a force of 0, whose logarithm is not finite
     const auto oddness = [&](std::uint32_t g) {

@@ -188,8 +188,9 @@ void Continuation::apply(std::array<Samples, 3>& velocity) {
 }
 
 void Continuation::correct(const RungeKuttaStage& stage) const {
-    // Below, `low` and `high` are twice the advecting velocity on the two sides of the face. Both terms have
-    // another factor 1/2, from means of two advected velocities. With 1 / h, the common factor is 1 / 4 h.
+    // Below, `low` and `high` are twice the advecting velocity on the two sides of the face. The terms of
+    // outflow and of upwind differences have another factor 1/2, from means of two advected velocities. With
+    // 1 / h, the common factor is 1 / 4 h.
     const auto factor = static_cast<float>(0.25 / lattice_.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto along = static_cast<std::size_t>(lattice_.stride[axis]);

@@ -505,8 +505,8 @@ double StaggeredSolver::plan_substeps(const Settings& settings, State& state, do
     gather_forces(settings, state, 1 / whole);
     const double wanted = std::max(1.0, substeps_wanted(settings, state.velocity, left));
     if (!solids_ || wanted <= allowed) return wanted;
-    // A collision of the flow with a wall in a shorter step leaves a very high pressure. Over a longer step
-    // it would push much too hard, so it is set to 0. The step is then of first order only, but stable.
+    // If the flow hit a wall in a shorter step, the pressure is very high. Over this longer step it would
+    // push much too hard, so it is set to 0. The step is then of first order only, but stable.
     std::fill(state.pressure.begin(), state.pressure.end(), 0.0F);
     gather_forces(settings, state, 1 / whole);
     return std::max(1.0, substeps_wanted(settings, state.velocity, left));

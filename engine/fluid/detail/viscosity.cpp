@@ -196,8 +196,8 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
                 zero8 + lines.max_link);
             const Floats8 half = explicit_part(ends, zero8 + max_explicit_link);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
-            // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
-            // en)^T, where e0 and en are the unit vectors of its first and its last place.
+            // The matrix of a periodic line is that of an open line plus (ends - half) (e0 - en)(e0 - en)^T,
+            // where e0 and en are the unit vectors of its first and its last place.
             for (std::ptrdiff_t r = 1; r + 1 < lines.count; ++r)
                 store(left.corner + r * lines.pitch + i, zero8);
             store(left.corner + i, ends - half);

@@ -124,9 +124,9 @@ private:
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
     std::array<std::vector<float>, 3> dragged_speeds_;  ///< velocities of the dragged faces
-    /// h divided by the distance from an open place to the wall, for each link that a wall cuts, by component
-    /// and direction, [slab][place][line]; 1 for the others. The link joins the place to the next one. Empty
-    /// if there are no solids.
+    /// Factor of each link, which joins a place to the next one, by component and direction:
+    /// [slab][place][line]. Where a wall cuts the link, it is h divided by the distance from the open place
+    /// to the wall; else 1. Empty if there are no solids.
     std::array<std::array<std::vector<float>, 3>, 3> nearer_;
     /// For each component, direction and slab (layer of parallel lines), the range outside of which all
     /// places are in solids.
