@@ -63,8 +63,8 @@ private:
     double power_{};
 };
 
-/// Every eighth sample of a sound. A filter before damps tones above 5 kHz, which would be aliased to low
-/// ones.
+/// Every eighth sample of a sound. Before that, a filter damps tones above 5 kHz, which would otherwise be
+/// aliased to low tones.
 std::vector<double> thinned(const Sound& sound) {
     const auto size = sound.samples.size();
     const auto sample_at = [&](std::size_t i) {

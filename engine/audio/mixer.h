@@ -8,8 +8,8 @@
 // the listeners, and limits the sum. No clock and no thread is involved, so equal calls give equal samples.
 //
 // Gain of a voice with a place: gain * fader * distance_gain. A sound straight to one side is played with
-// this gain on that side, and one in front with 0.6 of it on both sides. A voice at the ear has 0.71 of it on
-// both.
+// this gain on that side, and a sound in front with 0.6 of this gain on both sides. A voice at the ear is
+// played with 0.71 of this gain on both sides.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -74,7 +74,7 @@ void prepare_openal();
 /// Mixes the frame's voices into blocks of samples.
 class Mixer {
 public:
-    /// Copies the samples of the bank. The error is one line: no OpenAL, or one without loopback devices.
+    /// Copies the samples of the bank. The error is one line: OpenAL is missing or lacks loopback devices.
     static Expected<Mixer> create(const SoundBank& bank, const MixSettings& settings);
     Mixer(Mixer&& other) noexcept;
     Mixer& operator=(Mixer&& other) noexcept;

@@ -66,7 +66,7 @@ public:
     /// Does what is due at the time `now_s` and returns the time until the next step (s). Called by
     /// the thread that feeds the device.
     double step(double now_s);
-    /// Closes the device. The last call of the thread that feeds it.
+    /// Closes the device. The thread that feeds the device must call it last.
     void close();
 
 private:

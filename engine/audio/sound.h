@@ -13,7 +13,7 @@ namespace thaum::audio {
 /// Sample rate of all sounds and of the mix (Hz).
 inline constexpr std::uint32_t sample_rate = 48'000;
 
-/// What a sound belongs to. Each of these groups has a fader of its own.
+/// Group to which a sound belongs. Each group has a fader of its own.
 enum class SoundGroup : std::uint8_t { effects, music, interface };
 inline constexpr std::size_t sound_groups = 3;
 

@@ -6,7 +6,7 @@
 //
 // Without a device nothing is heard, and the thread tries again every two seconds. A device may block its
 // caller for ever, so the destructor waits for the thread for `max_wait_s` only (core/step_thread.h). A
-// thread that is left behind calls OpenAL no more: the program may be ending.
+// thread that is abandoned does not call OpenAL again, because the program may be ending.
 #pragma once
 #include <memory>
 #include <string>

@@ -65,7 +65,7 @@ void remove_offset(Canvas& canvas) {
     }
 }
 
-/// Lets a sound begin and end with silence.
+/// Fades a sound in and out, so that it begins and ends with silence.
 void fade(Canvas& canvas) {
     if (canvas.loops()) return;
     auto& samples = canvas.samples();
@@ -93,7 +93,7 @@ Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::p
 
 namespace {
 
-/// A sound with all that its recipe says of it, but still without samples.
+/// Makes a sound with the name, texts and other properties of its recipe, but without samples.
 Sound head_of(const Recipe& recipe) {
     return {.name = recipe.name,
             .description = recipe.description,

@@ -13,8 +13,8 @@ namespace thaum {
 /// An open file. Its position is where the next bytes are read.
 class FileReader {
 public:
-    /// Whose file is read. Once a file of the user was opened, this run of the program refuses to overwrite
-    /// it. The program's own files, such as its settings, may be overwritten.
+    /// Owner of the file that is read. Once a file of the user was opened, this run of the program refuses to
+    /// overwrite it. The program's own files, such as its settings, may be overwritten.
     enum class Owner : std::uint8_t { user, program };
 
     /// A limit that no file exceeds.
@@ -32,8 +32,8 @@ public:
     std::size_t size() const { return size_; }
     /// Position of the next byte.
     std::size_t position() const { return position_; }
-    void go_to(std::size_t position) { position_ = position; }  ///< the next byte is read there
-    /// Reads the next bytes and returns how many they are: fewer than `out` has room for only at the end of
+    void go_to(std::size_t position) { position_ = position; }  ///< sets the position of the next byte
+    /// Reads the next bytes and returns their number. It is less than `out` has room for only at the end of
     /// the file. The error names the path.
     Expected<std::size_t> read(std::span<std::byte> out);
 

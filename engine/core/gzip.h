@@ -16,7 +16,7 @@ namespace thaum {
 /// little memory, whatever size the data claim to have.
 class GzipReader {
 public:
-    /// Puts the next packed bytes into `out` and returns how many they are; 0 at their end.
+    /// Puts the next packed bytes into `out` and returns their number; 0 at the end of the data.
     using Source = std::function<Expected<std::size_t>(std::span<std::byte> out)>;
     /// How other data after the last gzip member are treated: as damage, or ignored.
     enum class Rest : std::uint8_t { damage, ignored };
@@ -26,9 +26,8 @@ public:
     GzipReader& operator=(GzipReader&&) = delete;
     ~GzipReader();
 
-    /// Unpacks the next bytes and returns how many they are: fewer than `out` has room for only at the end of
-    /// the gzip data. The error says what is wrong: not gzip, cut off or damaged. Or it is the error of the
-    /// source.
+    /// Unpacks the next bytes and returns their number. It is less than `out` has room for only at the end of
+    /// the gzip data. The error is that of the source, or says what is wrong: not gzip, cut off or damaged.
     Expected<std::size_t> read(std::span<std::byte> out);
     /// Whether data follow that are no gzip data. Known once `read` has reached the end.
     bool is_followed() const;

@@ -12,7 +12,7 @@ std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t seed = 
 
 /// Combines two hashes or small numbers. The order of the arguments matters.
 constexpr std::uint64_t hash_combine(std::uint64_t a, std::uint64_t b) {
-    // Mixes a before b is added, so that their order matters.
+    // Mixes a before b is added, so that exchanging a and b gives another hash.
     std::uint64_t z = (a + 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
     z = ((z ^ (z >> 32U)) + b) * 0xd6e8feb86659fd93ULL;
     return z ^ (z >> 32U);

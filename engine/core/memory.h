@@ -8,10 +8,10 @@ namespace thaum {
 /// Makes the allocator keep freed memory for the whole process. `main` calls this before anything else.
 ///
 /// By default glibc returns large blocks to the kernel. The kernel must clear each page again when the memory
-/// is next requested, at an unpredictable moment of the simulation. Without this call a picture of a software
-/// rasteriser caused 900 page faults, a tenth of its time. A World (the container of all entities) that grows
-/// by doubling took either 13 or 36 ns an entity, depending on the position of the heap's last block.
-/// Allocators other than glibc's are not affected.
+/// is next requested, at an unpredictable moment of the simulation. Without this call, drawing a picture in
+/// software caused 900 page faults, which took a tenth of the drawing time. A World (the container of all
+/// entities) that grows by doubling took either 13 or 36 ns an entity, depending on the position of the
+/// heap's last block. Allocators other than glibc's are not affected.
 void keep_freed_memory();
 
 /// Size of a large page of x86-64 (bytes).

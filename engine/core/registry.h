@@ -1,4 +1,5 @@
-// core/registry.h: lists to which sources of a program add themselves, such as wands, commands or drivers.
+// core/registry.h: lists to which the source files of a program add values, such as wands, commands or
+// drivers.
 //
 //     struct WandKind { std::string_view name; ... };
 //     using WandRegistration = Registration<WandKind>;

@@ -1,5 +1,5 @@
 // core/sanitizers.h: which sanitizer a program is built with, for code that must not manage memory itself
-// under one. GCC and clang say so in different ways.
+// under a sanitizer. GCC and clang report a sanitizer by different macros.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__)

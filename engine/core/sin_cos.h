@@ -1,4 +1,4 @@
-// core/sin_cos.h: sine and cosine of one angle, for little more than the cost of one of them.
+// core/sin_cos.h: sine and cosine of one angle; both together cost little more than the sine alone.
 #pragma once
 
 namespace thaum::det {

@@ -1,4 +1,4 @@
-// core/table.h: reads and writes tables of text (CSV, RFC 4180), and reads what spreadsheets make of them.
+// core/table.h: reads and writes tables of text (CSV, RFC 4180), also in the forms that spreadsheets write.
 //
 // The first line names the columns, in any order. Cells are separated by commas, or by semicolons or tabs if
 // the first line has more of those; numbers may then have a decimal comma. The following make no difference:

@@ -20,8 +20,8 @@ int back_of(std::uint64_t work) { return part_of(work, back_at); }
 bool all_taken(std::uint64_t work) { return front_of(work) + back_of(work) >= slices_of(work); }
 bool is_open(std::uint64_t work) { return (work & open_bit) != 0; }
 
-/// Number of looks for new slices after which a helper sleeps, about 100 us; and after which a leader that
-/// waits for the helpers' last slices gives up its processor, which a helper may need.
+/// Number of checks for new slices, about 100 us, after which a helper sleeps. After as many checks for the
+/// end of the helpers' last slices, the leader gives up its processor, which a helper may need.
 constexpr int looks = 1500;
 
 inline void pause() {
@@ -33,7 +33,7 @@ inline void pause() {
 }  // namespace
 
 void Team::open() {
-    // The number of the loop changes, too: a helper must not take what it saw before for the present state.
+    // The number of the loop changes, too, so that no helper takes an earlier state for the present one.
     const std::uint64_t before = work_.load(std::memory_order_relaxed);
     work_.store((before / next_loop + 1) * next_loop | open_bit, std::memory_order_release);
 }
@@ -44,7 +44,8 @@ void Team::close() {
     work_.notify_all();
 }
 
-/// Gives the calling helper a seat; 0, which is the leader's, if none is free.
+/// Gives the calling helper a seat, which is the number of a thread in the team; 0, which is the leader's, if
+/// none is free.
 unsigned Team::sit_down() {
     for (unsigned seat = 1; seat < max_threads; ++seat) {
         const unsigned bit = 1U << seat;
@@ -53,8 +54,8 @@ unsigned Team::sit_down() {
     return 0;
 }
 
-/// Does one slice of the loop that the helper has seen, the last that is left. False if something has changed
-/// meanwhile; then `seen` is the present state.
+/// Does the last slice that is left of the loop that the helper has seen. Returns false if the state has
+/// changed meanwhile; then `seen` is the present state.
 bool Team::take(std::uint64_t& seen, unsigned seat) {
     if (!work_.compare_exchange_weak(seen, seen + one_behind, std::memory_order_acquire)) return false;
     loop_.call(loop_.body, slices_of(seen) - 1 - back_of(seen), seat);
@@ -77,8 +78,8 @@ void Team::help() {
     if (!is_open(seen)) return;
     const unsigned seat = sit_down();
     if (seat == 0) return;
-    // A failed attempt to take a slice also changes `seen`. So each change is followed by the test for an
-    // open team: a helper that waited in a closed team would not be woken.
+    // A failed attempt to take a slice also changes `seen`, so the loop tests `seen` after each change: a
+    // helper that waited in a closed team would not be woken.
     while (is_open(seen)) {
         if (all_taken(seen))
             seen = wait_for_change(seen);

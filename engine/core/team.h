@@ -2,8 +2,8 @@
 //
 // One thread, the leader, does the computation. Where it comes to a long loop, it divides the loop into
 // slices and calls `each`. Other threads may help: between `open` and `close` they take slices of every such
-// loop. The leader waits for nobody to come: a slice goes to whoever asks for it first, and the leader does
-// what nobody else takes. It waits only for slices that helpers have begun.
+// loop. The leader does not wait for helpers to come: a slice goes to the first thread that asks for it, and
+// the leader does the slices that no helper takes. It waits only for slices that helpers have begun.
 //
 //     leader    open ── each(8) ─────────── each(8) ──────── close
 //                        0 1 2 3             0 1 2 3 4
@@ -34,9 +34,9 @@ public:
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    /// Lets helpers in. May be called by another thread than the leader, before the leader begins.
+    /// Allows helpers to join. May be called by another thread than the leader, before the leader begins.
     void open();
-    /// Sends the helpers away. The leader calls it after its last loop. Helpers may still be in `help` when
+    /// Makes the helpers leave. The leader calls it after its last loop. Helpers may still be in `help` when
     /// it returns, so the team must outlive their calls.
     void close();
 
@@ -44,7 +44,7 @@ public:
     /// enough threads. Between two loops it spins for up to 0.1 ms, then sleeps.
     void help();
 
-    /// Whether a helper is there. If not, the leader need not divide a loop.
+    /// Whether at least one helper has joined. If none has, the leader need not divide a loop.
     bool has_helpers() const { return seats_.load(std::memory_order_relaxed) != 0; }
 
     /// Calls body(slice, seat) once for each slice from 0 to slices - 1, and returns when all have ended.
@@ -75,12 +75,12 @@ private:
     std::uint64_t wait_for_change(std::uint64_t seen) const;
     unsigned sit_down();
 
-    /// Number of the loop, how many of its slices are taken, and whether the team is open (team.cpp). One
-    /// word, so that a helper that is late cannot take a slice of another loop than it believes.
+    /// Number of the loop, how many of its slices are taken, and whether the team is open (team.cpp). All are
+    /// in one word, so that a helper that is late cannot take a slice of a newer loop by mistake.
     alignas(64) std::atomic<std::uint64_t> work_{0};
     Loop loop_{};                                 ///< written by the leader while no slice can be taken
     alignas(64) std::atomic<int> done_{0};        ///< number of slices that have ended
-    alignas(64) std::atomic<unsigned> seats_{0};  ///< a bit for each helper that is there
+    alignas(64) std::atomic<unsigned> seats_{0};  ///< one bit for each helper that has joined
 };
 
 }  // namespace thaum

@@ -50,7 +50,7 @@ inline void append_text(std::string& out, const TextPart& part) { part.append_to
 std::string joined_text(std::initializer_list<TextPart> parts);
 
 /// text("tick ", 12, " differs") -> "tick 12 differs". The work is done by joined_text, which is compiled
-/// only once, because a thousand calls have different types.
+/// only once, whereas this template is compiled for each of many combinations of types.
 template <class... Parts>
 inline std::string text(const Parts&... parts) {
     return joined_text({TextPart(parts)...});

@@ -1,5 +1,5 @@
 // core/threads.h: starts a thread, or reports why the system refuses one (a process limit, no memory for its
-// stack); number of processors.
+// stack). Also counts the processors.
 #pragma once
 #include <array>
 #include <cstddef>

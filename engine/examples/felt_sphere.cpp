@@ -1,6 +1,6 @@
-// A sphere felt with a simulated force feedback device. A hand lowers the stylus onto the
-// sphere, then strokes it. Prints a table with a row a millisecond: position of the tip (m) and
-// force on it (N), in the device's frame.
+// A sphere felt with a simulated force feedback device. A hand lowers the stylus onto the sphere, then
+// strokes it. Prints a table with one row per millisecond: position of the tip (m) and force on it (N), in
+// the device's frame.
 #include <algorithm>
 #include <iostream>
 

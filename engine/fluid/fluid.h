@@ -165,9 +165,9 @@ void carry_substances(Fluid& fluid, double dt);
 /// moved into it.
 vec3 velocity_at(const Fluid& fluid, vec3 place);
 
-/// Sets the velocity (m/s) from a function of the place (m). It is evaluated where each sample stands: with
-/// `thaum` at the centre of a face, or of the part that no solid covers; with `classic` at the centre of a
-/// cell.
+/// Sets the velocity (m/s) from a function of the place (m). The function is evaluated where each sample
+/// stands: with `thaum` at the centre of a face, or of the part that no solid covers; with `classic` at the
+/// centre of a cell.
 void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity);
 /// Sets the density of a substance from a function of the place (m), evaluated at cell centres.
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density);

@@ -22,17 +22,16 @@ inline constexpr std::array all_even{GhostRule::even, GhostRule::even, GhostRule
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples);
 /// Writes all ghosts of a box, corners included.
 void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, Samples& samples);
-/// Like the functions above, for samples that are used only in `rows`, the parts of a lattice with fluid.
-/// `depth` layers of ghost cells are filled. Outside the rows the samples must always have been 0, or are
-/// never read.
+/// Fills ghost cells for samples that are used only in `rows`, the parts of a lattice with fluid, `depth`
+/// layers deep across one axis. Outside the rows the samples must always have been 0, or are never read.
 void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples,
                         int depth = ghosts);
 /// Writes all ghost cells beside the rows with fluid, `depth` layers deep.
 void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples,
                  int depth = ghosts);
-/// Like the two functions above, but only those ghosts that copy the given layers. If threads fill different
-/// layers at the same time, no ghost is written twice. Before ghosts across z are filled, those across x and
-/// y of the same layers must be: `fill_ghosts` does that.
+/// Fills only those ghost cells that copy the given layers. If threads fill different layers at the same
+/// time, no ghost is written twice. Before ghosts across z are filled, those across x and y of the same
+/// layers must be: `fill_ghosts` does that.
 void fill_ghosts_across(const Rows& rows, Layers layers, std::size_t axis, GhostRule rule, Samples& samples,
                         int depth = ghosts);
 void fill_ghosts(const Rows& rows, Layers layers, const std::array<GhostRule, 3>& rule, Samples& samples,

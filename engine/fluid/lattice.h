@@ -64,7 +64,7 @@ inline Samples make_samples(const Lattice& lattice) { return Samples(lattice.siz
 struct Layers {
     int first{}, end{};
 
-    /// Whether the layer is one of these.
+    /// Whether the range contains this layer.
     bool contains(int layer) const { return layer >= first && layer < end; }
 };
 

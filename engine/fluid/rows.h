@@ -39,7 +39,7 @@ Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);
 /// Sets the samples in the rows to 0.
 void clear(const Rows& rows, Samples& samples);
-/// The same in some layers.
+/// Sets the samples of those rows that lie in some layers to 0.
 void clear(const Rows& rows, Layers layers, Samples& samples);
 
 /// Calls `visit` with each Row that holds fluid, in one, some or all layers.

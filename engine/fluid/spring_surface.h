@@ -1,5 +1,5 @@
-// fluid/spring_surface.h: the brew's surface as a lattice of masses and springs. A probe can push it,
-// break through and leave (paper 000, section 5).
+// fluid/spring_surface.h: the brew's surface as a lattice of masses and springs. A probe can push it, break
+// through and leave (paper 000, Mora and Lee 2008, section 5).
 //
 //     o---o---o     Structural springs lie along the sides of the lattice, shear springs along its
 //     | X | X |     diagonals. All have rest length zero and are stretched, like a soap film. The force of

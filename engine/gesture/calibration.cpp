@@ -99,7 +99,7 @@ double probability_on_purpose(float distance, float runner_up, double even) {
     const double near = static_cast<double>(distance), other = std::max(static_cast<double>(runner_up), near);
     const double margin = det::log((other + common_distance) / (near + common_distance));
     // The odds are squared. Strokes of a real user scatter less than the synthetic strokes to which `even`
-    // was fitted, so its odds are too close to even for them.
+    // was fitted, so for them the odds that `even` gives are too close to 1.
     const double meant = even * even, nothing = meant_nothing * (1 - even);
     const double usual = meant / (meant + nothing * nothing);
     return (drawn_otherwise + (1 - drawn_otherwise) * usual) * logistic(margin_weight * margin);

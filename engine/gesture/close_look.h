@@ -1,7 +1,7 @@
 // gesture/close_look.h: finds exactly where a stroke within continuous motion starts and ends, and its
 // distance to a template there.
 //
-// The spotter (spotter.h) compares parts of the motion, its windows, with the templates. These are coarse:
+// The spotter (spotter.h) compares parts of the motion, its windows, with the templates. Windows are coarse:
 // their starts are a ninth of their length apart. A close look moves start and end of a window by 8, 4 and at
 // last 2 % of its length, each time to the best of the eight neighbours, by the elastic distance of fine
 // shapes (shape.h). Its work is cut into steps of four shapes or one comparison of eight pairs.

@@ -13,10 +13,10 @@ constexpr std::size_t variations = 400;  // number of variations (synthetic stro
 
 using Shares = std::vector<std::vector<Mistaken>>;
 
-/// How much a gesture's variations (synthetic strokes) scatter. Users who draw one shape with two different
-/// forces keep the forces apart on purpose, so their force scatters less. But a force that only follows speed
-/// scatters as their pace does: who draws the gesture of the larger force in no hurry would be taken for one
-/// who draws the other.
+/// Scatter of a gesture's variations (synthetic strokes). Users who draw one shape with two different forces
+/// keep the forces apart on purpose, so their force scatters less. But a force that only follows speed
+/// scatters as much as the pace: a user who draws the gesture of the larger force slowly would be taken to
+/// have drawn the other one.
 VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture) {
     constexpr double force_of_twins = 0.15;
     VariationSettings scatter;

@@ -42,8 +42,8 @@ struct EightStrokes {
 };
 
 /// Costs of matching one point of a stroke to one of a template, lane by lane (template by template), times
-/// `robustness`. Only the final sum of costs is divided by it, which saves a multiplication for each pair of
-/// points. As it is a power of two, this changes no bit.
+/// `robustness`. Only the final sum of costs is divided by `robustness`, which saves a multiplication for
+/// each pair of points. As it is a power of two, this changes no bit.
 template <std::size_t channels>
 inline Wide cost_of(const std::array<Wide, channels>& p, const float* q) {
     Wide squares = p[0] - load<Wide>(q);
@@ -125,8 +125,8 @@ inline void transpose_four(const std::array<const float*, lanes>& values, std::s
 }
 #else
 /// Transposes four values of each template, from index `place` on, so that the values of all templates are
-/// adjacent. This version is for processors without registers of eight floats, on which the other one would
-/// be much slower.
+/// adjacent. This version is for processors without registers of eight floats, on which the version with
+/// vectors of eight floats would be much slower.
 inline void transpose_four(const std::array<const float*, lanes>& values, std::size_t place, float* to) {
     for (std::size_t k = 0; k < lanes; k += 4, to += 4) {
         const auto a = load<Floats4>(values[k] + place), b = load<Floats4>(values[k + 1] + place),

@@ -40,8 +40,8 @@ std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShape
 std::array<float, lanes> elastic_distances(const FineShape& stroke, const EightFineShapes& eight,
                                            std::size_t channels);
 
-/// Distances of eight strokes to eight templates, stroke i to template i. Each has the same bits as if the
-/// functions above had computed it.
+/// Distances of eight strokes to eight templates, stroke i to template i. Each has the same bits as if
+/// elastic_distances had computed it for one stroke.
 std::array<float, lanes> elastic_distances(const EightShapes& strokes, const EightShapes& eight,
                                            std::size_t channels);
 std::array<float, lanes> elastic_distances(const EightFineShapes& strokes, const EightFineShapes& eight,

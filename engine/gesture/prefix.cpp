@@ -31,17 +31,17 @@ constexpr float max_for_difference = 0.12F;
 /// logarithms of the lengths of the strokes recorded for one gesture have the variance v, the weight is
 /// agreement_weight / (v + min_variance).
 constexpr double agreement_weight = 0.002, min_variance = 0.003;
-/// How far the weight of lengths (or durations) that holds without recorded strokes is trusted: as if it came
+/// Trust in the weight of lengths (or durations) that holds without recorded strokes: it counts like a weight
 /// from recorded strokes with this number of degrees of freedom.
 constexpr double prior_freedom = 4;
-/// A recorded stroke counts e times less than the nearest one of its gesture if it is farther from the stroke
-/// so far by this distance.
+/// A recorded stroke counts e times less than the nearest one of its gesture if its distance from the stroke
+/// so far is larger by this number.
 constexpr float hand_scatter = 0.03F;
 /// Smallest duration that counts (s); shorter ones, and that of a stroke without times, are raised to it.
 constexpr float min_seconds = 0.001F;
-/// Mean squared distance of the points of two shapes, by which beginnings are chosen, divided by their
-/// elastic distance. It brings what lengths and durations add to an elastic distance to the scale of the
-/// former.
+/// Converts an elastic distance of two shapes to a mean squared distance of their points, the measure by
+/// which beginnings are chosen. The differences of lengths and durations, which are given as elastic
+/// distances, are multiplied by it.
 constexpr float squares_to_elastic = 4;
 constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
 constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
@@ -255,8 +255,8 @@ void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end
     }
 }
 
-/// Raises the distance of each gesture, that of its nearest recorded stroke, if its other strokes are
-/// farther. A gesture is likelier if all its recorded strokes are near than if only one is.
+/// The distance of a gesture is that of its nearest recorded stroke. Raises it if its other strokes are
+/// farther: a gesture is likelier if all its recorded strokes are near than if only one is.
 void PrefixReader::join_strokes(PrefixSpace& space) const {
     std::size_t s = 0;
     for (std::uint32_t g = 0; g < names_.size(); ++g) {
@@ -274,8 +274,8 @@ bool PrefixReader::are_twins(std::uint32_t a, std::uint32_t b) const {
     return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
 }
 
-/// Probability, 0 to 1, that a gesture is meant and none of its twins (gestures of its shape with another
-/// force), by the mean force of the stroke so far.
+/// Probability, 0 to 1, that a gesture is meant rather than one of its twins (gestures of its shape with
+/// another force), by the mean force of the stroke so far.
 double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& space) const {
     constexpr float tiny = 1e-30F;  // stands for a force of 0, whose logarithm is not finite
     const auto oddness = [&](std::uint32_t g) {

@@ -16,17 +16,18 @@
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is
 // not sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
 //
-// Force. Twins are those of the recogniser of whole strokes (recogniser.h): gestures of one shape that differ
-// in force. Between them, the mean force so far decides: it is compared with the mean force of
-// equally long beginnings. While it lies between the forces of two twins, neither is likely.
+// Force. Twins are gestures of one shape that differ in force (recogniser.h). Between them, the mean force so
+// far decides: it is compared with the mean force of equally long beginnings. While it lies between the
+// forces of two twins, neither is likely.
 //
-// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. The share of the
-// gesture that has been drawn is evidence too: late in a stroke, the right gesture has larger distances than
-// early. Everything is fixed at construction, and equal input gives equal bits. At most sixteen solid and
-// sixteen flat beginnings are compared elastically, however many there are.
+// Confidence. Distances become a probability as in calibration.h, by weights that are fitted to beginnings of
+// synthetic strokes and scribbles. The share of the gesture that has been drawn is evidence too: late in a
+// stroke, the right gesture has larger distances than early. Everything is fixed at construction, and equal
+// input gives equal bits. At most sixteen solid and sixteen flat beginnings are compared elastically, however
+// many there are.
 //
-// Steady answers. `tell` keeps what it has told until that has become unlikely or another gesture is likely
-// enough, so that a colour does not come and go.
+// Steady answers. `tell` repeats its last answer until that gesture has become unlikely or another one is
+// likely enough, so that what the player sees does not flicker.
 #pragma once
 #include <array>
 #include <span>
@@ -46,22 +47,23 @@ class Recogniser;
 /// with a stroke that is still being drawn.
 inline constexpr std::array<double, lanes> prefix_shares{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1};
 
-/// The first points of a stroke, up to a share of its length (0 to 1). At least one, if there is one.
+/// The first points of a stroke, up to a share of its length (0 to 1). There is at least one point, unless
+/// the stroke is empty.
 Points beginning_of(Points stroke, double share);
 
-/// Probability from which on a likely gesture is told to the player, and below which
-/// one that was told is told no more.
+/// Probability from which on the likely gesture is shown to the player, and probability below which a gesture
+/// that is shown is hidden again.
 inline constexpr double likely_enough = 0.8, likely_still = 0.4;
 
 /// The gesture that an unfinished stroke is likely to become.
 struct LikelyGesture {
     static constexpr std::uint32_t none = 0xffffffff;
 
-    std::uint32_t gesture = none;  ///< the likeliest; none for a stroke without a shape
-    /// Like that of a whole stroke, but `usual` holds the logarithm of the share of the gesture drawn so far.
+    std::uint32_t gesture = none;  ///< the likeliest gesture; none for a stroke without a shape
+    /// Evidence as for a whole stroke, but `usual` is the logarithm of the share of the gesture drawn so far.
     Evidence evidence{};
-    /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the
-    /// first beginning: too early to say.
+    /// Probability that the stroke will be `gesture`, 0 to 1. It is 0 for a stroke that is shorter than the
+    /// first beginning, because that is too early to judge.
     double probability{};
 };
 
@@ -78,7 +80,8 @@ struct PrefixSettings {
 struct PrefixSpace {
     /// Beginning of a recorded stroke that is to be compared elastically.
     struct Candidate {
-        /// Distance from the stroke so far by the dot product, plus what lengths and durations add.
+        /// Distance from the stroke so far by the dot product, plus the amounts that differences of length
+        /// and of duration add.
         float distance{};
         std::uint32_t place{};  ///< index of the recorded stroke in PrefixReader's beginnings
         std::uint32_t lane{};   ///< index in prefix_shares at which the stroke is cut
@@ -88,7 +91,7 @@ struct PrefixSpace {
     EightShapes eight{};
     std::array<std::array<float, shape_points * max_channels>, lanes> chosen{};
     std::vector<Candidate> candidates{};
-    /// Of one gesture, the beginning of a recorded stroke that is nearest to the stroke so far.
+    /// For one gesture, the beginning of a recorded stroke that is nearest to the stroke so far.
     struct Nearest {
         float distance{};
         /// Natural logarithm of the share of the recorded stroke's length that the stroke so far has reached.
@@ -106,8 +109,8 @@ struct PrefixSpace {
 class PrefixReader {
 public:
     /// Cuts the recorded strokes into beginnings. The error names the gesture and the fault: no stroke, a
-    /// stroke without a shape, or too many strokes. Of gestures with an error to Recogniser::make, no reader
-    /// can be made either.
+    /// stroke without a shape, or too many strokes. Gestures that Recogniser::make refuses are refused here,
+    /// too.
     static Expected<PrefixReader> make(std::span<const Gesture> gestures,
                                        const PrefixSettings& settings = {});
 
@@ -118,12 +121,13 @@ public:
     /// Finds the likeliest gesture of a stroke that may be unfinished. Allocates nothing after the first call
     /// with the same space.
     LikelyGesture read(Points stroke, PrefixSpace& space) const;
-    /// The gesture that the player is told the stroke so far will be, or LikelyGesture::none. `told` is the
+    /// The gesture that is shown to the player as the likely one, or LikelyGesture::none. `told` is the
     /// answer for a shorter part of the same stroke, or none. Allocates as `read` does.
     std::uint32_t tell(Points stroke, std::uint32_t told, PrefixSpace& space) const;
 
 private:
-    /// Eight beginnings of one recorded stroke (shares of its length: prefix_shares), for one start and way.
+    /// Eight beginnings of one recorded stroke (shares of its length: prefix_shares), from one of its starts
+    /// and in one direction.
     struct Beginnings {
         std::uint32_t gesture{};
         std::uint32_t stroke{};  ///< number of the recorded stroke, among those of all gestures

@@ -14,8 +14,8 @@ constexpr float farthest_possible = 1e9F;  ///< distance of a gesture if none of
 /// nearest.
 constexpr float second_weight = 0.5F;
 // Twins (gestures of one shape with different forces) are told apart by odds. The ratio of the stroke's
-// distances from them enters the odds with this power. The same number is added to both distances first: the
-// ratio of two small distances is a matter of chance, and does not tell which gesture was meant.
+// distances from two twins enters the odds with the power twin_distance_power. twin_common_distance is added
+// to both distances before, because the ratio of two small distances is a matter of chance.
 constexpr double twin_distance_power = 4;
 constexpr float twin_common_distance = 0.1F;
 
@@ -234,7 +234,7 @@ void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace&
         const Ints8 ranks = ranks_of(k, space.scores_.data(), count);
         for (std::size_t lane = 0; lane < std::min(lanes, count - k); ++lane) {
             const auto rank = static_cast<std::size_t>(ranks[lane]);
-            // Templates of rank `most` or worse all go to the one place after the best, which nobody reads.
+            // Templates of rank `most` or worse all go to the one place after the best, which is never read.
             space.survivors_[std::min(rank, most)] = space.compared_[k + lane];
         }
     }

@@ -1,12 +1,13 @@
-// gesture/recogniser.h: tells which gesture a stroke is, how sure that is, and how forceful it was.
+// gesture/recogniser.h: recognises which gesture a stroke is, with a probability, and how hard it was drawn.
 //
 //     stroke -> shape -> dot product with every template -> elastic distance to the best 8 to 64
 //            -> distance of each gesture -> probability, runner-up, acceptance
 //
-// There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, section
-// 8, here of positions, directions, turns and force) takes some nanoseconds a template and leaves few for the
-// elastic distance, which decides. The distance of a gesture is that of its nearest template and, with half
-// the weight, of the second nearest. The mean of several recorded strokes of a gesture is a template as well.
+// There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, Mora and
+// Lee 2008, section 8, here of positions, directions, turns and force) takes some nanoseconds a template. It
+// leaves few templates for the elastic distance, which decides. The distance of a gesture is that of its
+// nearest template and, with half the weight, of the second nearest. The mean of several recorded strokes of
+// a gesture is a template as well.
 //
 // Variations. A stroke of a closed gesture may start anywhere: the dot product chooses the start among the
 // points of the template. A gesture with a tolerance of rotation is turned by the angle with the largest dot
@@ -16,7 +17,7 @@
 // the farther all other gestures are, the less alike their strokes need be. Between twins the mean force of
 // the stroke decides, together with the small difference of the distances.
 //
-// Confidence: calibration.h tells how distances become a probability. Everything is fixed at construction.
+// Confidence: distances become a probability as calibration.h describes. Everything is fixed at construction.
 // `recognise` allocates nothing, and equal input gives equal bits in every thread and on every processor.
 #pragma once
 #include <optional>
@@ -63,9 +64,9 @@ struct RecogniserSettings {
     bool exhaustive = false;
     double min_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
     std::uint64_t seed = 1;        ///< seed of the synthetic strokes that set the thresholds
-    /// True to count a force that only follows the speed of the hand, too. In continuous motion, the pace is
-    /// what tells a gesture, slow at its corners and ends, from any other way of the hand. But a stroke that
-    /// is drawn evenly, as with a mouse, is then far from a template that is not.
+    /// True to count a force that only follows the speed of the hand, too. In continuous motion the pace
+    /// distinguishes a gesture, which is slow at its corners and ends, from other motion of the hand. But a
+    /// stroke that is drawn evenly, as with a mouse, is then far from a template that is not.
     bool pace_counts = false;
     /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then no stroke is
     /// refused for its distance, and the usual distance of a gesture is that between its recorded strokes.
@@ -130,8 +131,8 @@ public:
     /// Recognises a part of continuous motion like a whole stroke, except that no rest of the hand is left
     /// out.
     Recognition recognise_part(Points part, RecogniserSpace& space) const;
-    /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke
-    /// that means nothing to it is taken.
+    /// Recognises a stroke as if the recogniser lacked the gesture `left_out`. With strokes of that gesture
+    /// this tests how strokes that mean nothing are treated.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
     /// Probability that a stroke was meant as `gesture`, given its distances from this gesture and from the
@@ -140,8 +141,8 @@ public:
                           float runner_up_distance) const;
     /// How hard a stroke of this gesture was drawn, by its mean force (unit of the device).
     ForceClass force_class(std::uint32_t gesture, double mean_force) const;
-    /// True if the two gestures are twins: only force tells their strokes apart. A gesture is no twin of
-    /// itself.
+    /// True if the two gestures are twins: of one shape, so that only force tells their strokes apart. A
+    /// gesture is no twin of itself.
     bool are_twins(std::uint32_t a, std::uint32_t b) const;
     /// Of a gesture and its twins (gestures of its shape with another force), the one whose templates have
     /// the mean force nearest to `mean_force`.
@@ -149,7 +150,7 @@ public:
 
     /// True if the course of the force within a stroke counts. It does not if it is switched off, or if the
     /// recorded forces only follow the speed of the hand (unless RecogniserSettings::pace_counts); mean
-    /// forces still tell twins apart then.
+    /// forces still tell twins (gestures of one shape) apart then.
     bool counts_force() const { return counts_force_; }
     /// True if some gesture takes z, the depth of a stroke, into account.
     bool needs_solid() const { return needs_solid_; }
@@ -224,8 +225,8 @@ private:
 
     RecogniserSettings settings_;
     std::vector<std::string> names_;
-    /// Options of each gesture. Where it sets no bounds of gentle and harsh force, the usual ones are filled
-    /// in.
+    /// Options of each gesture. Where a gesture sets no bounds of gentle and harsh force, the usual ones are
+    /// filled in.
     std::vector<GestureOptions> options_;
     std::vector<std::uint32_t> strokes_of_;          ///< number of recorded strokes of each gesture
     std::vector<double> template_force_;             ///< mean force of the templates of each gesture

@@ -118,7 +118,7 @@ void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, 
         mean.stroke = t.stroke + 1;
     }
     for (std::size_t i = mean.values; i < values_.size(); ++i) mean.self += values_[i] * values_[i];
-    fine_.emplace_back();  // stays empty: only the spotter for continuous motion reads it, without means
+    fine_.emplace_back();  // stays empty: only the spotter reads fine shapes, and it leaves means out
     templates_.push_back(mean);
 }
 

@@ -21,10 +21,10 @@ constexpr float axis_exponent = 0.5F, min_axis = 0.5F;
 // half that length. Where points lie close together, their direction is uncertain, and so counts less.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
 constexpr float force_deviation = 0.5F;  // standard deviation of the force channel
-// Signs that a rest may begin at a point, either of which is enough. One step lasts longer than `halt_share`
-// of the longest halt and is shorter than `halt_way`. Or the steps that take that long on average last more
-// than `min_halt` of it, and together are shorter than `halt_way` plus `tremor_step` for each, since a hand
-// trembles. Lengths are shares of the stroke's extent.
+// A rest may begin at a point in two cases. Its next step lasts longer than T = `halt_share` times the
+// longest halt and is shorter than `halt_way`. Or the next N steps, where N steps of the stroke last T on
+// average, last longer than `min_halt` times T and are together shorter than `halt_way` plus N times
+// `tremor_step`, since a hand trembles. Lengths are shares of the stroke's extent.
 constexpr float halt_share = 0.75F, min_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
 // Duration above which all points of a stroke are searched for rests. In a shorter stroke, the points that
 // were copied (at most counted_points) are searched first (s).
@@ -103,10 +103,10 @@ Floats4 smaller(Floats4 a, Floats4 b) { return a < b ? a : b; }
 Floats4 size_of(Floats4 v) { return masked(v, 0x7fffffff + Ints4{}); }
 bool all_of(Ints4 lanes) { return (lanes[0] & lanes[1] & lanes[2] & lanes[3]) != 0; }
 
-/// Of a stroke with many points, only every so many are used, so that there are at most counted_points.
+/// Index distance of the points that are used: a long stroke is thinned to at most counted_points.
 std::size_t stride_of(std::size_t points) { return (points + counted_points - 1) / counted_points; }
 
-/// What `copy` has found out about a stroke.
+/// Facts about a stroke that `copy` has found.
 struct Copied {
     bool finite{};   ///< true if all times and forces are finite
     bool plain{};    ///< true if each point has another place than the one before, and no earlier time
@@ -352,8 +352,8 @@ std::size_t point_before(float wanted, std::size_t first, std::size_t last, Plac
     return first;
 }
 
-/// The value that grows along a stroke from 0 to 1, at each of the equally spaced points, and two more values
-/// that are larger than any place.
+/// The parameter along a stroke, from 0 to 1, at each of the equally spaced points of a shape. Then two more
+/// values that are larger than any parameter.
 template <std::size_t points>
 constexpr std::array<float, points + 2> wanted_places() {
     std::array<float, points + 2> wanted{};

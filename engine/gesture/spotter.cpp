@@ -318,8 +318,8 @@ void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace:
     held = {true, c, dropped_ + first, dropped_ + end_, match, now_ + settings_.hold};
 }
 
-/// Begins the close look (search for a stroke's exact ends) at the best window that has waited long enough.
-/// Returns false if there is none.
+/// Begins the close look (search for a stroke's exact ends) at the best window (part of the motion) that has
+/// waited long enough. Returns false if there is none.
 bool Spotter::begin_look() {
     Held* best = nullptr;
     for (auto& h : held_) {
@@ -335,7 +335,7 @@ bool Spotter::begin_look() {
 }
 
 /// Does one step of the present close look (search for a stroke's exact ends), or of a new one. Returns false
-/// if no window is due for one.
+/// if no window (part of the motion) is due for one.
 bool Spotter::look_closer() {
     if (!look_.is_active() && !begin_look()) return false;
     if (look_.step(points_)) end_look();

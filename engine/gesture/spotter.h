@@ -151,8 +151,8 @@ private:
     double quiet_factor(std::size_t first, std::size_t last) const;
 
     const Recogniser& recogniser_;
-    /// For each gesture, the factor that makes the scores of gestures comparable whose strokes scatter more
-    /// or less.
+    /// For each gesture, a factor of its scores. It makes the scores of all gestures comparable, although
+    /// strokes of some scatter more than those of others.
     std::vector<float> factors_;
     SpotterSettings settings_;
     CandidateChoice choice_;

@@ -40,8 +40,9 @@ using ArmFault = std::uint32_t;
 enum class AtHang : std::uint8_t {
     /// The library accepts no call while another one hangs: only the device's own watchdog can end the force.
     keeps_force,
-    write_zero,  ///< the watchdog calls write_zero every few milliseconds; if ticks come again, they go on
-    give_up,     ///< the watchdog calls give_up; the arm then counts as lost
+    /// The watchdog calls write_zero every few milliseconds; if the ticks resume, the arm works on.
+    write_zero,
+    give_up,  ///< the watchdog calls give_up; the arm then counts as lost
 };
 
 /// One arm, as its driver sees it.

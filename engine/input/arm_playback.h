@@ -42,7 +42,8 @@ public:
 
     /// Returns the function that the arm's driver calls in each tick.
     ArmTick tick();
-    /// Runs one tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
+    /// Runs one tick on the arm's thread. Takes no lock and allocates nothing. Returns the force (N, device
+    /// frame).
     vec3 step(const ArmReading& reading);
 
     /// Queues the force of the next tick (N, device frame); called by the one thread that supplies forces.

@@ -55,8 +55,8 @@ struct ArmSample {
 struct ArmFaults {
     PoseFaults poses{};
     std::uint64_t lost{};  ///< samples lost because the queue was full
-    /// Forces for which the simulation came to another result than the arm's thread, which is a bug of this
-    /// program.
+    /// Number of forces for which the simulation came to another result than the arm's thread. If it is not
+    /// 0, this program has a bug.
     std::uint64_t differing{};
 };
 
@@ -66,7 +66,8 @@ class ArmServo {
 public:
     /// Returns the function that the arm's driver calls in each tick.
     ArmTick tick();
-    /// Runs one tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
+    /// Runs one tick on the arm's thread. Takes no lock and allocates nothing. Returns the force (N, device
+    /// frame).
     vec3 step(const ArmReading& reading);
 
     /// Starts a new simulation, whose epochs (runs of samples without a gap) are numbered from 1 again;

@@ -9,8 +9,8 @@
 
 namespace thaum::input {
 
-/// Makes every arm exert no force from its next tick on, until `end_silence`. For any thread, also in a
-/// signal handler.
+/// Makes every arm exert no force from its next tick on, until `end_silence`. Any thread may call it, also in
+/// a signal handler.
 void silence_arms() noexcept;
 /// Lets arms give forces again after `silence_arms`.
 void end_silence() noexcept;

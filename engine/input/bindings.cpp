@@ -190,8 +190,8 @@ std::string words_of(const std::vector<Control>& controls, const KeyNames& names
 
 namespace {
 
-/// Names of the chosen ones among the actions that may stay on from one press to the next (toggle_actions),
-/// separated by commas.
+/// Names of those toggle_actions (actions that may stay on from one press to the next) for which `chosen`
+/// returns true, separated by commas.
 template <class Chosen>
 std::string toggle_words(Chosen chosen) {
     std::string words;

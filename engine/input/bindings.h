@@ -109,7 +109,7 @@ struct Bindings {
     DeviceKind kind{};
     std::array<std::vector<Control>, actions> controls;
     bool mouse_look = false;  ///< true: mouse motion and wheel act for this player
-    /// Position at which an axis presses a button; the release is 0.1 below.
+    /// Position at which an axis presses a button; it releases the button 0.1 below.
     double trigger_press = 0.3;
     /// For toggle_actions: one press turns the action on, the next one off.
     std::array<bool, actions> toggled{};

@@ -10,8 +10,8 @@
 namespace thaum::input {
 namespace {
 
-// How far below the position that presses a trigger the one lies that releases it (share of its travel). This
-// hysteresis keeps a trigger at its threshold from flickering.
+// A trigger that was pressed counts as released when it is this far below the position at which it counts as
+// pressed (share of its travel). This hysteresis keeps a trigger at its threshold from flickering.
 constexpr double release_below_press = 0.1;
 constexpr unsigned latch_shift = 32;
 /// Wheel steps of a control that is held, per sample: the first step is at once, then there are 12 a second.

@@ -113,7 +113,8 @@ struct DeviceSample {
     bool away{};
     FaderChange change{};  ///< change of a fader for the forces at the hand that the player made in this tick
     /// Age of the haptic model (all that the servo knows of the world) that the servo used (ticks), at least
-    /// 1. It is 0 for hands, and for an arm in a tick without a sample; then the counts are meaningless.
+    /// 1. It is 0 for devices other than arms. It is also 0 for an arm in a tick without a sample, whose
+    /// counts are then meaningless.
     std::uint16_t model_age{};
     /// Number of samples left out before this one because the simulation was too far behind, or because
     /// samples of an arm were lost. If it is not 0, every arm's servo restarts and an arm's sample is not

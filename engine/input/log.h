@@ -1,10 +1,10 @@
 // input/log.h: the input log (.thaumlog): everything needed to play a match again, and hashes to check the
-// replay. FORMAT.md gives every byte.
+// replay. FORMAT.md describes every byte.
 //
-// Recording must not disturb a match and must outlive it. The simulation thread copies frames into blocks of
-// 512 ticks. A thread of the log packs and writes them, so kill -9, a crash or a full disk costs the last
-// block or two. It flushes them to the disk every second, so a power cut costs a few seconds. Reading trusts
-// nothing: every byte is under a checksum, and every size has a limit.
+// Recording must not disturb a match, and the log must survive a crash of the program. The simulation thread
+// copies frames into blocks of 512 ticks. A thread of the log packs and writes them, so kill -9, a crash or a
+// full disk costs the last block or two. It flushes them to the disk every second, so a power cut costs a few
+// seconds. A reader does not trust the file: every byte is under a checksum, and every size has a limit.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -122,8 +122,8 @@ public:
     /// Ends the recording. Without `close` before, the log keeps everything appended but reads as cut off.
     ~LogWriter();
 
-    /// Appends the frame of the next tick. Samples of devices that the header does not list must be zero. No
-    /// file access and no lock. No allocation while the disk lags less than 4 s behind.
+    /// Appends the frame of the next tick. Samples of devices that the header does not list must be zero.
+    /// Accesses no file and takes no lock. Allocates nothing while the disk lags less than 4 s behind.
     void append(const InputFrame& frame);
     /// Appends the hashes of state and forces after `tick` ticks. `tick` is a multiple of hash_interval,
     /// larger than at the last call, and not beyond the appended frames. Call it before the next frame is

@@ -136,7 +136,7 @@ struct LogReader::State {
     // small blocks.
     std::vector<BlockPlace> kept;
 
-    // What is read next: the block at `at` (bytes), or frame `at_frame` of the block decoded last.
+    // Position of the next read: the block at `at` (bytes), or frame `at_frame` of the block decoded last.
     std::size_t at;
     std::size_t at_frame = 0;
     detail::Block block;

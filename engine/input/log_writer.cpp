@@ -5,10 +5,10 @@
 // can block the other, even if the system suspends one of them at any point. A job of core/jobs.h would
 // allocate for every block; this code never does.
 //
-// The file is a whole log at every moment: a block is one write, and a failed write is truncated. Written
-// bytes outlive the program at once. About once a second they are flushed to the disk, so a power cut costs
-// little more than that. The log's thread waits for the flush, and no other thread does. A log is locked
-// while it is recorded (flock).
+// The file is a whole log at every moment: a block is written by one call, and a failed write is truncated.
+// Written bytes survive a crash of the program. About once a second they are flushed to the disk, so a power
+// cut costs little more than that. The log's thread waits for the flush, and no other thread does. A log is
+// locked while it is recorded (flock).
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>

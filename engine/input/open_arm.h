@@ -37,7 +37,7 @@ struct ArmPatience {
 /// An arm that may be plugged in.
 struct ArmPlace {
     const ArmDriverKind* kind{};
-    std::string arm{};  ///< word by which the driver tells the arm from its others
+    std::string arm{};  ///< word by which the driver distinguishes this arm from its other arms
 };
 
 /// Arms of all drivers, sorted by driver. Users call number i of the list "arm:i".

@@ -45,7 +45,7 @@ int index_of(SDL_JoystickID id) {
     return -1;
 }
 
-/// Converts SDL's 16-bit value to -1 to 1. Its range is one larger below 0 than above.
+/// Converts SDL's 16-bit value to -1 to 1. The range of SDL's value is larger by one below 0 than above.
 double share_of(std::int16_t value) { return std::max(-1.0, value / 32767.0); }
 
 struct OpenPad {
@@ -154,7 +154,7 @@ void PadReader::State::find_own_mappings() {
 void PadReader::State::begin() {
     SDL_SetHintWithPriority(SDL_HINT_NO_SIGNAL_HANDLERS, "1", SDL_HINT_OVERRIDE);
     SDL_SetHintWithPriority(SDL_HINT_JOYSTICK_HIDAPI, "0", SDL_HINT_OVERRIDE);
-    // SDL has no window, so without this hint it would report no input: none of its windows has the focus.
+    // SDL reports input only while one of its windows has the focus. It has no window here, hence this hint.
     SDL_SetHintWithPriority(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1", SDL_HINT_OVERRIDE);
     began = SDL_Init(SDL_INIT_GAMECONTROLLER) == 0;
     if (!began) {

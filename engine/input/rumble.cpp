@@ -15,17 +15,17 @@
 #include "core/text.h"
 #include "input/detail/rumble_effect.h"
 
-// Linux runs the motors of most pads by ff-memless.c. Its effects begin at the next tick of a timer, up to 10
-// ms late, and one that was changed and is stopped before that tick leaves the motors on for ever. So a
-// running effect is never changed. There are two effects: while one runs, the other gets the new values and
-// is started, and then the first is stopped. Stopping the first begins the other at once. So neither a stop
-// nor the end of the program can leave a motor on.
+// Linux runs the motors of most pads by its module ff-memless. Its effects begin at the next tick of a timer,
+// up to 10 ms late. An effect that was changed and is stopped before that tick leaves the motors on for ever.
+// So a running effect is never changed. There are two effects: while one runs, the other gets the new values
+// and is started, and then the first is stopped. Stopping the first begins the other at once. So neither a
+// stop nor the end of the program can leave a motor on.
 //
 // SDL's own rumble is not used, because it can leave the motors on. It changes the one effect that runs, and
-// gives it a length of 65.5 s in Linux, which SDL cuts short only while somebody polls it. A program that is
-// stopped or hangs would leave the motors on for a minute, and one that is killed between the change and its
-// start for ever. With effects that end by themselves, the thread of the motors needs no lock that the thread
-// which polls SDL has, either: SDL locks all joysticks while it updates them.
+// gives it a length of 65.5 s in Linux, which SDL cuts short only while the program polls it. A program that
+// is stopped or hangs would leave the motors on for a minute, and one that is killed between the change of
+// the effect and its start would leave them on for ever. SDL also locks all joysticks while it updates them.
+// Without SDL, the thread of the motors needs no lock that the thread which polls SDL holds.
 
 namespace thaum::input {
 namespace {

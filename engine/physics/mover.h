@@ -34,10 +34,10 @@ struct MoverSettings {
     double ground_acceleration{40};  ///< largest acceleration on the ground (m/s^2)
     double air_acceleration{4};      ///< largest acceleration in the air (m/s^2)
     double push_force{700};          ///< largest force with which the mover pushes against a resistance (N)
-    double adhesion{60};  ///< acceleration towards the ground that keeps the feet on it over a crest (m/s^2)
+    double adhesion{60};  ///< acceleration towards the ground that keeps the feet down over a crest (m/s^2)
     /// Upward speed of a jump: sqrt(2 * 9.81 * 1.1), for an apex of 1.1 m (m/s).
     double jump_speed{4.6454278597};
-    double steepest_cos{0.64278761};  ///< cosine of the steepest slope on which it can stand: 50 degrees
+    double steepest_cos{0.64278761};  ///< cosine of the steepest slope on which a mover can stand: 50 degrees
     double reach{0.03};               ///< distance below the capsule within which ground is found (m)
     Layers ground{all_layers};        ///< layers of bodies that can be stood on
 };
@@ -54,7 +54,7 @@ struct MoverState {
 static_assert(std::is_trivially_copyable_v<MoverState>);
 static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
-/// What one step of a mover (a walking person) came to.
+/// Result of one step of a mover (a walking person).
 struct MoverResult {
     bool grounded{};
     bool jumped{};

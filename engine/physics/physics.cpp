@@ -1,7 +1,7 @@
-// Bodies are in one array, sorted by key, each with its desc and its state. This state is
-// authoritative. It is copied to Bullet when a body is made, and read back after each step in which the
-// body was awake. Queries and rebuilds use only this state, so a rebuild never rounds a state and acts
-// in the same way in a restored run.
+// Bodies are in one array, sorted by key, each with its description (BodyDesc) and its state. This state is
+// authoritative. It is copied to Bullet when a body is made, and read back after each step in which the body
+// was awake. Queries and rebuilds use only this state, so a rebuild never rounds a state and acts in the same
+// way in a restored run.
 //
 // Bullet moves a body by the velocity at the end of the step. In free fall this is g dt^2/2 too far in
 // every step: 9.8 mm after 2 s at 1 kHz. The exact end of a free flight is known, so a body on which

@@ -39,7 +39,7 @@ void Physics::Impl::each_near(const detail::Box& box, const Each& each) const {
 
 template <class Each>
 void Physics::Impl::each_along(const detail::Path path, const Each& each) const {
-    // Length of a path in whose bounding box are so many bodies that the tree saves no time (m).
+    // Path length above which the bounding box has so many bodies that the tree saves no time (m).
     constexpr double long_path = 4;
     if (path.length > long_path) {
         for (const Body& body : bodies) each(body);

@@ -1,8 +1,8 @@
 // audio/detail/loopback.h: one loopback device of OpenAL with the sounds of a
 // bank and a fixed pool of sources.
 //
-// A new buffer in a source costs OpenAL an allocation. So there are four sources for each voice that may be
-// heard; each keeps its buffer, and a sound takes a source that has had its buffer before.
+// OpenAL allocates when a source gets a new buffer. So there are four sources for each voice that may be
+// heard. Each keeps its buffer, and a sound takes a free source that already has its buffer, if there is one.
 #pragma once
 #include <array>
 #include <memory>

@@ -195,7 +195,7 @@ void add_noise(Canvas& canvas, const Noise& noise, Random random) {
     NoiseShaper shaper(noise.filter, noise.sharpness);
     if (span.lasting) {
         // The same noise runs through the filter twice, so that the filter begins the second run in the state
-        // in which it ends it, and the loop has no seam.
+        // in which that run ends, and the loop has no seam.
         Random before = random;
         for (std::size_t i = 0; i < span.count; ++i) {
             shaper.tune(frequencies[i / control_samples]);

@@ -1,5 +1,5 @@
-// core/detail/toml_hint.h: looks at the text of a TOML file. Before it is parsed: finds keys that nest so
-// deeply that the parser could exhaust the stack. After a failure: explains common mistakes.
+// core/detail/toml_hint.h: examines the text of a TOML file. Before parsing it finds keys that nest so deeply
+// that the parser could exhaust the stack; after a failure it explains common mistakes.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -135,7 +135,7 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
 
 /// Subtracts the gradient of the pressure, so that the flow becomes nearly free of divergence. Some
 /// divergence remains for two reasons: a few Gauss-Seidel sweeps do not solve the pressure exactly, and a
-/// difference across two cells does not see the shortest waves.
+/// difference across two cells is zero for the shortest waves.
 void project(Fluid& fluid, ClassicScratch& scratch) {
     write_divergence(fluid, scratch.source);
     std::ranges::fill(fluid.state.pressure, 0.0F);
@@ -294,7 +294,8 @@ StepReport report_of(const Fluid& fluid, Samples& divergence) {
     for (const Samples& component : fluid.state.velocity)
         result.speed = std::max(result.speed, largest(fluid.lattice, component));
     write_divergence(fluid, divergence);
-    // write_divergence gives the divergence times -h^2; the report has it times h and divided by the speed.
+    // write_divergence gives the divergence times -h^2; the report holds the divergence times h, divided by
+    // the largest speed.
     if (result.speed > 0)
         result.divergence = largest(fluid.lattice, divergence) / (fluid.lattice.h * result.speed);
     result.energy = energy(fluid);

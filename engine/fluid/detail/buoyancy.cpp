@@ -8,8 +8,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// How fast the flow along one axis changes a row of values that it carries (advection), times -2 h (m/s for
-/// values without unit).
+/// Rate of change of a row of values by advection along one axis, times -2 h (m/s for values without unit).
 struct AxisAdvection {
     const float* velocity;
     const float* open;  ///< shares of the faces that no solid covers; null: all faces are open

@@ -16,8 +16,8 @@ constexpr int reach = 2;
 /// if all faces lie in one plane (cells^2).
 constexpr double min_spread = 1e-6;
 /// Largest sum of the absolute weights with which a fit combines velocities; larger ones magnify noise. This
-/// value and upwind_share were chosen by trials in turning and stirred bowls of 16 to 64 cells: with 6, flows
-/// gained energy.
+/// value and upwind_share were chosen by trials in turning and stirred bowls of 16 to 64 cells: with a limit
+/// of 6, flows gained energy.
 constexpr double max_weights = 4;
 /// Share of upwind differences in the advection beside solids, where velocities are read that continue the
 /// flow into the solid. With a smaller share, flows gained energy in some trials; with 1 a turning flow lost
@@ -188,8 +188,9 @@ void Continuation::apply(std::array<Samples, 3>& velocity) {
 }
 
 void Continuation::correct(const RungeKuttaStage& stage) const {
-    // Below, `low` and `high` are twice the advecting velocity on the two sides of the face. Both terms have
-    // another factor 1/2, from means of two advected velocities. With 1 / h, the common factor is 1 / 4 h.
+    // Below, `low` and `high` are twice the advecting velocity on the two sides of the face. The terms of
+    // outflow and of upwind differences have another factor 1/2, from means of two advected velocities. With
+    // 1 / h, the common factor is 1 / 4 h.
     const auto factor = static_cast<float>(0.25 / lattice_.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto along = static_cast<std::size_t>(lattice_.stride[axis]);

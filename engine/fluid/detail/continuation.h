@@ -3,15 +3,15 @@
 //
 // Advection reads velocities at the centres of faces on all sides of a face. Beside a solid, a closed face
 // has no velocity, and that of a cut face belongs to the centre of its open part. If advection used these
-// values, every piece of wall would drag the flow, however fine the grid is: by a quarter in a second at 32
-// and at 48 cells. So advection reads values that continue the flow: a linear function is fitted to the
-// velocities on the open faces around and evaluated at the centre of the face. A flow that turns as a rigid
-// body is then advected exactly.
+// values, every piece of wall would drag the flow, however fine the grid is: within a second the error of a
+// turning flow grew to more than a quarter, at 32 as at 48 cells across. So advection reads values that
+// continue the flow: a linear function is fitted to the velocities on the open faces around and evaluated at
+// the centre of the face. A flow that turns as a rigid body is then advected exactly.
 //
 // A continued flow has some divergence, and its energy is not conserved. So the rates of change on the faces
 // beside it get two additional terms: that of the divergence (momentum.h leaves it out), and a share of
-// upwind differences. Both are zero for a rigid turn. The second takes the energy of waves that are too short
-// for the grid.
+// upwind differences. Both terms are zero for a rigid turn. The upwind differences damp waves that are too
+// short for the grid.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -49,7 +49,8 @@ private:
         /// Index of the target's first source; the sources end where those of the next target begin.
         std::uint32_t first{};
     };
-    /// For one component of the velocity: the faces whose velocities are fitted, and the faces from which.
+    /// For one component of the velocity: the faces whose velocities are fitted, and the open faces to whose
+    /// velocities they are fitted.
     struct Component {
         /// The faces whose velocities are fitted, then an entry without sources. It marks the end of the last
         /// face's sources.

@@ -6,8 +6,8 @@
 #include "fluid/floats8.h"
 
 namespace thaum::fluid {
-/// Factors of the sums of fluxes and of viscous stresses. Not in the unnamed namespace, since a closure of a
-/// member function holds them.
+/// Factors of the sums of fluxes and of viscous stresses. Not in the unnamed namespace, because a lambda in a
+/// member function captures them.
 struct FluxFactors {
     float flux, spread;
 };
@@ -15,8 +15,8 @@ struct FluxFactors {
 namespace {
 
 /// Interpolates the velocity that carries the momentum half-way between a sample and the previous one, `step`
-/// away, at order 4. The result is multiplied by 16 / 9, which saves multiplications here; later factors take
-/// it out.
+/// away, at order 4. The result is 16 / 9 times that velocity, which saves multiplications here; later
+/// factors remove the 16 / 9.
 void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
     for (std::ptrdiff_t i = 0; i < count; i += 8)
         store(out + i, (load(u + i - step) + load(u + i)) -
@@ -80,8 +80,9 @@ inline Floats8 rate_at(const Carrying& a, const Carrying& b, const Carrying& c, 
         if constexpr (fourth) {
             const Floats8 twos = sum_of_both_sides(q, 2 * a.step) +
                                  (sum_of_both_sides(q, 2 * b.step) + sum_of_both_sides(q, 2 * c.step));
-            // Counted in twelfths, the factors 16, 1 and 90 are whole numbers, which float represents
-            // exactly. So viscosity keeps the momentum: what leaves one sample enters its neighbours.
+            // In units of 1/12, the factors of this sum of second differences are 16, 1 and 90, which float
+            // represents exactly. So viscosity keeps the momentum: what leaves one sample enters its
+            // neighbours.
             sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
         } else {
             sum += factors.spread * (ones - 6.0F * load(q));

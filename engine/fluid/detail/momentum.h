@@ -46,8 +46,8 @@ public:
     Momentum(const Lattice& lattice, int order, const Solids* solids);
     /// Computes one stage for the cells of `layers` that hold fluid; faces that a solid closes get 0. Not
     /// written are samples on the lattice's walls and ghosts of `sum` and `next`; fill_ghosts does that.
-    /// `viscosity` is in m^2/s. Threads with different seats (core/team.h) may compute different layers at
-    /// the same time.
+    /// `viscosity` is in m^2/s. Threads with different seats (numbers in a team, core/team.h) may compute
+    /// different layers at the same time.
     void run_stage(const RungeKuttaStage& stage, double viscosity, Layers layers, unsigned seat);
 
 private:
@@ -77,7 +77,7 @@ private:
     const Solids* solids_;
     Rows rows_;
     std::vector<LayerBounds> layer_bounds_;         ///< the rectangle of each layer
-    std::array<Planes, Team::max_threads> planes_;  ///< by the seat of the thread
+    std::array<Planes, Team::max_threads> planes_;  ///< one for each thread, by its seat (number in the team)
 };
 
 }  // namespace thaum::fluid

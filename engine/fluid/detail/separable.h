@@ -56,8 +56,8 @@ double laplace_symbol(double angle, int order);
 /// Solves the Poisson equation of pressure: on input a field is the Laplacian that is wanted, on output the
 /// potential that has it. The field has no ghost cells, x contiguous. The mean of the result is zero.
 ///
-/// A solve has three parts, in this order. Threads with different seats (core/team.h) may do different
-/// layers or blocks of the same part at the same time.
+/// A solve has three parts, in this order. Threads with different seats (numbers in a team, core/team.h) may
+/// do different layers or blocks of the same part at the same time.
 class PressureSolver {
 public:
     PressureSolver(const Lattice& lattice, int order);
@@ -77,7 +77,8 @@ private:
     std::vector<float> along_z_;      ///< symbols (minus eigenvalue times h^2) of the waves along z
     std::vector<float> by_x_, by_y_;  ///< symbols of the waves along x and y, in the order of a plane: [x][y]
     float scale_;
-    std::array<std::vector<float>, Team::max_threads> scratch_;  ///< a layer, by the seat of the thread
+    /// A layer for each thread, by its seat (number in the team).
+    std::array<std::vector<float>, Team::max_threads> scratch_;
 };
 
 /// Solves du/dt = nu lap u over a time exactly: each wave decays at its own rate. The viscosity nu must

@@ -232,9 +232,9 @@ void Solids::smooth_in(Layers layers) {
     }
 }
 
-/// Moves the solution along direction_, as far as reduces the energy of the corrected flow most. Ghosts of
-/// the direction at periodic sides must be filled. `slope` is the scalar product of residual and direction.
-/// Returns the largest remaining residual, or nothing if no step reduces the energy.
+/// Moves the solution along direction_ by the distance that reduces the energy of the corrected flow most.
+/// Ghosts of the direction at periodic sides must be filled. `slope` is the scalar product of residual and
+/// direction. Returns the largest remaining residual, or nothing if no step reduces the energy.
 std::optional<double> Solids::step_along_direction(double slope, Team& team) {
     curvature_ = apply_to_direction(team);
     if (!(curvature_ > 0)) {

@@ -5,9 +5,9 @@
 // and Bridson 2007). Conjugate gradients solve for it. The preconditioner is the direct solve of the whole
 // box without solids, plus a term for cells that are mostly closed.
 //
-// The box solve measures the energy of the smoothest flow that continues the one in the fluid into the solid.
-// This is at most a small multiple of the energy in the fluid, however fine the grid is. The number of
-// iterations therefore does not grow with the grid.
+// In effect this solve of the whole box extends the flow in the fluid into the solid as smoothly as possible.
+// The energy of this extension is at most a small multiple of the energy in the fluid, however fine the grid
+// is. The number of iterations therefore does not grow with the grid.
 #pragma once
 #include <optional>
 
@@ -28,10 +28,10 @@ struct CutFace {
 /// was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not
 /// add iterations to the pressure solve.
 inline constexpr double min_open = 0.02;
-/// Faces with a smaller open share count as closed if the fluid slips along solids. The flow beside a wall is
-/// then as fast as elsewhere, and what is lost through a small closed opening is pushed through others by the
-/// pressure. With 0.02, a flow that turns as a rigid body had 1.7 times the error at 48 cells, and hardly
-/// less at 64.
+/// Limit of the open share for a fluid that slips along solids: faces with a smaller share count as closed.
+/// The flow beside a wall is then as fast as elsewhere, and what is lost through a small closed opening is
+/// pushed through others by the pressure. With a limit of 0.02, a flow that turns as a rigid body had 1.7
+/// times the error that it has with 0.002 at 48 cells, and hardly less at 64.
 inline constexpr double open_least_where_slipping = 0.002;
 
 /// Solids on one lattice: open shares of faces, and the projection that removes divergence.
@@ -62,8 +62,8 @@ public:
     ///
     /// `potential` is input and output. On return its gradient is what was subtracted from the velocity,
     /// ghosts included. On entry it holds the potential of the last projection, which is the first search
-    /// direction. The step along it is as long as reduces the energy of the flow most (Fischer 1998, with one
-    /// direction), so a bad guess does no harm.
+    /// direction. The length of the step along it is the one that reduces the energy of the flow most
+    /// (Fischer 1998, with one direction), so a bad guess does no harm.
     ProjectionResult project(std::array<Samples, 3>& velocity, Samples& potential, double share,
                              int max_iterations, Team& team);
 

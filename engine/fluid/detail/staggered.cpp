@@ -29,7 +29,8 @@ constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 /// of the fastest wave, which is 3.5 cells long, then advances by 1.37 times this number (rad).
 constexpr double max_carried = 2.0;
 /// Largest nu dt / h^2 for which the Runge-Kutta stages include viscosity; larger values are solved
-/// implicitly. The shortest wave then decays at a rate of 16 times that per step, 2.4, which is still stable.
+/// implicitly. At this limit the shortest wave decays at a rate of 16 * 0.15 = 2.4 per step, which is still
+/// stable.
 constexpr double max_explicit = 0.15;
 /// Largest nu dt / h^2 of the base fluid for which implicit viscosity treats a step in one pass over the
 /// axes, instead of two passes of half the length. At 0.66 one pass doubles the error beside a curved wall.
@@ -136,10 +137,10 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
 
 /// Number of sub-steps of equal length with which the flow moves at most max_carried cells in each.
 ///
-/// Where the fluid slips along solids, advection on faces that a solid covers in part does not read their own
-/// velocities, but such as continue the flow around. So the velocity of such a face is weighted here by the
-/// share that no solid covers. In a small opening the velocity, or the force, may be much larger than around
-/// it, and without the weight it would require sub-steps that the flow does not need.
+/// Where the fluid slips along solids, advection on faces that a solid covers in part reads velocities that
+/// continue the flow around, not the faces' own. So the velocity of such a face is weighted here by the share
+/// that no solid covers. In a small opening the velocity, or the force, may be much larger than around it,
+/// and without the weight it would require sub-steps that the flow does not need.
 double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const {
     const auto wanted = [&](double flow, double push) {
         const double carried = flow + std::abs(settings.lid) + dt * push;
@@ -334,9 +335,9 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& state, doubl
         current_norms_ = found;
         return;
     }
-    // Slowed by a factor f, the flow has f^2 times its energy `is`, and the part of the available energy that
-    // depends on the new velocity, `by_pushes`, becomes f times as large. The rest of it is `most`. The flow
-    // shall have just the available energy: f^2 * is == most + f * by_pushes.
+    // If the flow is slowed by a factor f, its energy `is` becomes f^2 times as large. The available energy
+    // has a part that does not depend on the new velocity, `most`, and a part that becomes f times as large,
+    // `by_pushes`. The flow shall have just the available energy: f^2 * is == most + f * by_pushes.
     const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
     const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
     for (Samples& u : state.velocity)
@@ -504,8 +505,8 @@ double StaggeredSolver::plan_substeps(const Settings& settings, State& state, do
     gather_forces(settings, state, 1 / whole);
     const double wanted = std::max(1.0, substeps_wanted(settings, state.velocity, left));
     if (!solids_ || wanted <= allowed) return wanted;
-    // A collision of the flow with a wall in a shorter step leaves a very high pressure. Over a longer step
-    // it would push much too hard, so it is set to 0. The step is then of first order only, but stable.
+    // If the flow hit a wall in a shorter step, the pressure is very high. Over this longer step it would
+    // push much too hard, so it is set to 0. The step is then of first order only, but stable.
     std::fill(state.pressure.begin(), state.pressure.end(), 0.0F);
     gather_forces(settings, state, 1 / whole);
     return std::max(1.0, substeps_wanted(settings, state.velocity, left));

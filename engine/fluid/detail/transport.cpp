@@ -25,13 +25,14 @@ namespace {
 /// are a few cells wide.
 constexpr double max_sharpness = 0.25;
 /// Intensity of segregation, 0 to 1: how nearly each cell is either empty or at the highest density (sums.h).
-/// From the first value on, edges are kept sharp in part, from the second on fully. A Gaussian has at most
-/// 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
+/// Edges are kept sharp in part from segregation_of_blurred on, and fully from segregation_of_sharp on. A
+/// Gaussian has at most 0.41 in a flow that stretches it. From 0.5 on, more of a body lies in its inside than
+/// on its edge.
 constexpr double segregation_of_blurred = 0.5, segregation_of_sharp = 0.6;
 
 // ---- fluxes over the whole lattice -----------------------------------------------------------------------
 
-/// What all functions of one sub-step need: the flow, the density at the start, and the arrays to work in.
+/// Input and work arrays shared by all functions of one sub-step: flow, density at the start, scratch arrays.
 struct SubstepContext {
     const Lattice& lattice;
     const FaceFlow& face_flow;
@@ -138,8 +139,8 @@ std::size_t row_index(const Lattice& lattice, int j, int k) {
 }
 
 /// Limits the differences between fluxes of fifth and of first order through the faces of a layer, so that no
-/// cell leaves its bounds. If `levels` is not null, finds what crosses the faces: across x it is added to
-/// `levels`, across y and z it is kept row by row.
+/// cell leaves its bounds. If `levels` is not null, finds the amounts that cross the faces: across x they are
+/// added to `levels`, across y and z they are kept row by row.
 void limit_layer(const SubstepContext& c, std::size_t axis, int k, Levels* levels) {
     const std::ptrdiff_t s = c.lattice.stride[axis];
     float* difference = c.scratch.flux[axis].data();

@@ -79,8 +79,8 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
                    const std::array<Samples, 3>& after, const FaceApertures* face_apertures, double dt,
                    FaceFlow& face_flow, Team& team, int order = 2);
 
-/// Sums of what flows through the faces of a row in one sub-step, each in eight parts. The members of
-/// LevelCrossing (transport_rows.h) say what they are.
+/// Sums of the amounts that flow through the faces of a row in one sub-step, each in eight parts. The members
+/// have the meaning of those of LevelCrossing (transport_rows.h).
 struct CrossedSums {
     Floats8 density, flow, either, carried;
 };
@@ -93,8 +93,8 @@ struct TransportScratch {
     /// difference limited. `donors`: fluxes of first order.
     std::array<Samples, 3> flux{}, donors{};
     std::vector<SegregationOfRow> segregation{};  ///< an element for each row
-    /// For each axis, what crosses the low faces of each row. Threads find it in any order; it is summed in
-    /// the order of the rows.
+    /// For each axis, the amounts that cross the low faces of each row. Threads find them in any order; they
+    /// are summed in the order of the rows.
     std::array<std::vector<CrossedSums>, 3> crossed{};
 };
 
@@ -122,8 +122,8 @@ struct TransportReport {
     /// the available sub-steps are reserved for the flow.
     double spread{1};
     /// Density that crossed the faces along each axis, positive upwards (cells). The first moment of the
-    /// density along the axis grew by as much. What a net flow through a level would carry of the level's
-    /// mean density is left out: that flow would be zero but for the error of the pressure solve.
+    /// density along the axis grew by as much. A net flow of fluid through a level comes only from the error
+    /// of the pressure solve, so the part that it would carry at the level's mean density is left out.
     vec3 moved{};
     std::int64_t cells{};  ///< number of cells that were processed, summed over all sub-steps
 };

@@ -56,8 +56,8 @@ void transpose(const Matrix<const float>& from, const Matrix<float>& to, std::pt
                 to.first[c * to.pitch + r] = from.first[r * from.pitch + c];
         return;
     }
-    // The last tiles begin as far before the end as they are wide. What they share with the tiles before them
-    // is written twice.
+    // The last tiles are placed so that they end where the matrix ends. Elements that they share with the
+    // tiles before are written twice.
     for (std::ptrdiff_t next_r = 0; next_r < rows; next_r += 8) {
         const std::ptrdiff_t r = std::min(next_r, rows - 8);
         for (std::ptrdiff_t next_c = 0; next_c < columns; next_c += 8) {

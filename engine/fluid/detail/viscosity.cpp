@@ -13,9 +13,9 @@ namespace {
 /// Strength of the drag on a dragged face (a cut face whose centre lies in the solid or close to it): this
 /// factor times nu dt / h^2, divided by the distance from the centre of the open part to the wall (cells).
 constexpr float drag_factor = 8;
-/// Limits of the explicit half for a link (coupling of two places by viscosity) between open places, and for
-/// one to a wall. Even if both links of a place are at their limit, no wave grows in the explicit half, so
-/// energy only falls. Between open places all values stay within their previous range.
+/// Largest coefficient that acts in the explicit half of a step, for a link (coupling of two places by
+/// viscosity) between open places, and for one to a wall. With both links of a place at this limit no wave
+/// grows in that half, so energy only falls. Between open places all values stay within their previous range.
 constexpr float max_explicit_link = 0.25F;
 constexpr float max_explicit_wall_link = 0.5F;
 
@@ -144,14 +144,14 @@ bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrd
     return any_of(any);
 }
 
-/// What the coefficients of the links (viscous couplings) from a place of each line to the next place follow
-/// from.
+/// Inputs from which the coefficients of the links (viscous couplings) from a place of each line to the next
+/// place are computed.
 struct LinksToNext {
     const float *own, *next;  ///< viscous coefficients of both places
     /// Coefficients of the six places around the link; used if a border of two fluids may be there.
     LinkRows around;
     const float* nearer;  ///< factors of the links, 1 where no wall cuts one; null: all are 1
-    bool holds;           ///< whether a closed place brakes the other one
+    bool holds;           ///< true: a closed place (in a solid) brakes its open neighbour
     float most;           ///< largest coefficient of a link that no wall cuts
 };
 
@@ -196,8 +196,8 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
                 zero8 + lines.max_link);
             const Floats8 half = explicit_part(ends, zero8 + max_explicit_link);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
-            // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
-            // en)^T, where e0 and en are the unit vectors of its first and its last place.
+            // The matrix of a periodic line is that of an open line plus (ends - half) (e0 - en)(e0 - en)^T,
+            // where e0 and en are the unit vectors of its first and its last place.
             for (std::ptrdiff_t r = 1; r + 1 < lines.count; ++r)
                 store(left.corner + r * lines.pitch + i, zero8);
             store(left.corner + i, ends - half);
@@ -296,7 +296,7 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
     }
 }
 
-/// Whether no wall drags on these lines, so that a velocity that all places share stays as it is.
+/// Whether no wall drags on these lines. A velocity that all places share then stays unchanged.
 bool is_loose(const Lines& lines, bool solids) {
     return !solids && (lines.edge == Edge::periodic || (lines.edge == Edge::free_slip && !lines.through));
 }

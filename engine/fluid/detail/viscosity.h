@@ -124,16 +124,17 @@ private:
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
     std::array<std::vector<float>, 3> dragged_speeds_;  ///< velocities of the dragged faces
-    /// h divided by the distance from an open place to the wall, for each link that a wall cuts, by component
-    /// and direction, [slab][place][line]; 1 for the others. The link joins the place to the next one. Empty
-    /// if there are no solids.
+    /// Factor of each link, which joins a place to the next one, by component and direction:
+    /// [slab][place][line]. Where a wall cuts the link, it is h divided by the distance from the open place
+    /// to the wall; else 1. Empty if there are no solids.
     std::array<std::array<std::vector<float>, 3>, 3> nearer_;
     /// For each component, direction and slab (layer of parallel lines), the range outside of which all
     /// places are in solids.
     std::array<std::array<std::vector<OpenRange>, 3>, 3> open_ranges_;
     /// dt nu / (passes h^2) at each face of a component; below 0 on closed faces.
     std::array<Samples, 3> face_coefficients_;
-    std::array<LineScratch, Team::max_threads> scratch_;  ///< by the seat of the thread
+    /// One for each thread, by its seat (number in the team).
+    std::array<LineScratch, Team::max_threads> scratch_;
     std::vector<float> closed_;
 };
 

@@ -3,8 +3,8 @@
 #include "fluid/detail/viscosity.h"
 #include "fluid/sample.h"
 
-// Where walls cut the lines of samples along which the viscous solver works. It is found once, when the
-// solver is made.
+// Finds where walls cut the lines of samples along which the viscous solver works. This is done once, when
+// the solver is made.
 namespace thaum::fluid {
 namespace {
 

@@ -45,7 +45,7 @@ inline Floats8 step_beyond(const Floats8& place, const Floats8& beyond) {
 /// Confidence that a place between two others holds an interface (border of two fluids), 0 to 1. `jump` is
 /// the difference of its neighbours' coefficients. The confidence is high only if the place beyond each
 /// neighbour equals that neighbour to within a hundredth of the jump. In a gradual mixture, and in an edge
-/// that is smeared over more than one place, it does not.
+/// that is smeared over more than one place, the confidence is low.
 inline Floats8 sureness(const HalfPlaces& at, const Floats8& jump) {
     const Floats8 uneven = step_beyond(at.behind, at.far_behind) + step_beyond(at.faced, at.far_faced);
     const Floats8 sure = 2.0F - 200.0F * uneven / (jump + 1e-30F);

@@ -132,7 +132,7 @@ private:
         return run;
     }
 
-    /// True if the second rest begins soon after the first one and near its place, so that both are one.
+    /// True if the rest `next` begins soon after `rest` and near its place, so that both count as one rest.
     bool is_same(const Rest& rest, const Rest& next) const {
         const Vec way = rest.middle - next.middle;
         return seconds(rest.last, next.first) < longest_halt && glm::dot(way, way) < 4 * square_;

@@ -1,9 +1,9 @@
-// gesture/detail/speed_force.h: tells whether the force of recorded strokes is only an answer to speed.
+// gesture/detail/speed_force.h: detects recorded strokes whose force only follows the speed of the hand.
 //
 // A mouse feels no force, and a pen in the air meets none. So the game records the force of a viscous fluid
-// instead, a multiple of the hand's speed. That force tells how the hand moves. But the shape of a stroke
-// already tells this, because its points are spaced by length and time. Where a mouse is drawn evenly, what
-// such a force tells besides is noise.
+// instead, a multiple of the hand's speed. But the shape of a stroke already shows the speed, because its
+// points are spaced by length and time, so such a force adds no information. Where a mouse is moved evenly,
+// it adds noise.
 #pragma once
 #include <optional>
 #include <span>
@@ -17,8 +17,8 @@ namespace thaum::gesture {
 /// the stroke. std::nullopt for a stroke without force, times or length.
 std::optional<double> force_beside_speed(Points stroke);
 
-/// Whether the force of most recorded strokes follows their speed to within a tenth. One device has drawn
-/// them, so the force counts for all gestures or for none. False where no stroke has a force.
+/// Whether the force of most recorded strokes follows their speed to within a tenth. All strokes are taken to
+/// come from one device, so the force counts for all gestures or for none. False where no stroke has a force.
 bool force_follows_speed(std::span<const Gesture> gestures);
 
 }  // namespace thaum::gesture

@@ -10,12 +10,13 @@
 namespace thaum::gesture {
 
 /// Elastic distance (elastic.h) up to which two gestures count as one shape (are twins) if the mean force of
-/// one is twice that of the other. The limit grows with the logarithm of the ratio of the forces, up to the
-/// second value: the clearer the difference in force, the less alike the shapes need be.
+/// one is twice that of the other. The limit grows with the logarithm of the ratio of the forces, up to
+/// max_twin_distance: the clearer the difference in force, the less alike the shapes need be.
 inline constexpr double twin_distance = 0.07, max_twin_distance = 0.15;
-/// The same limits, larger, for two gestures that no third one resembles: every other gesture is at least
-/// `clear_of_others` times as far from them as they are from each other. Strokes of such a pair may differ
-/// more, drawn with little care, and still are of one shape.
+/// Limits like twin_distance and max_twin_distance, for a pair of gestures that no third one resembles: every
+/// other gesture is at least `clear_of_others` times as far from them as they are from each other. Both
+/// limits are larger, because strokes of such a pair that are drawn with little care may differ more and
+/// still be of one shape.
 inline constexpr double clear_twin_distance = 0.12, max_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
 /// Whether two gestures are so near to each other in shape, and so different in force, that force should tell

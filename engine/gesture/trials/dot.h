@@ -1,5 +1,5 @@
-// gesture/trials/dot.h: the dot product of strokes of paper 000, section 8, as it is printed there. It is a
-// baseline for comparison; the recogniser that the game uses is in recogniser.h.
+// gesture/trials/dot.h: the dot product of strokes as paper 000 (Mora and Lee 2008), section 8, prints it. It
+// is a baseline for comparison; the recogniser that the game uses is in recogniser.h.
 //
 // "Since both our gesture templates and captured strokes have the same number of points after normalization,
 // we model our gestures as normalized vectors. These are 4 x N dimensional vectors." Steps: scale to a size

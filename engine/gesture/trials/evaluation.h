@@ -1,7 +1,7 @@
 // gesture/trials/evaluation.h: tests a method of recognition on the strokes of a data set: how often it is
-// right, and how well its probabilities tell that.
+// right, and how well its probabilities predict that.
 //
-// Protocols, by where the K random strokes of each gesture come from that are templates:
+// Protocols. They differ in the strokes from which K templates of each gesture are drawn at random:
 //
 //     user_dependent   from one user; that user's other strokes are tested
 //     leave_user_out   from all users but one; all strokes of that one are tested
@@ -26,7 +26,7 @@
 
 namespace thaum::gesture {
 
-/// Whose strokes are templates, and whose are tested (see the top of this file).
+/// Which strokes are templates, and which are tested (see the top of this file).
 enum class Protocol : std::uint8_t { user_dependent, leave_user_out, random };
 
 /// The protocol with this name; std::nullopt: there is none.

@@ -11,9 +11,10 @@
 
 namespace thaum::gesture {
 
-/// dot: dot product of paper 000. tdnn: time-delay network of paper 002. directions: network of paper 000
-/// with directions as input. elastic: elastic distance to every template. standard: the recogniser of the
-/// game. early: the likely gesture of an unfinished stroke (prefix.h).
+/// dot: dot product of paper 000 (Mora and Lee 2008). tdnn: time-delay network of paper 002 (on the game
+/// HaptiCast). directions: network of paper 000 with directions as input. elastic: elastic distance to every
+/// template. standard: the recogniser of the game. early: the likely gesture of an unfinished stroke
+/// (prefix.h).
 enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard, early };
 
 /// Names of all methods, in the order of Method.

@@ -21,8 +21,8 @@ struct Found {
     double at{};  ///< time at which the candidate was found (s)
 };
 
-/// Numbers of right, false and missed reports in one session, if candidates up to one threshold of the score
-/// are reported.
+/// Numbers of right, false and missed reports in one session, if candidates (parts of the motion that may be
+/// gestures) up to one threshold of the score are reported.
 struct Count {
     std::size_t right{}, wrong{}, missed{};
     std::vector<double> delays;  ///< times from the end of a gesture to its report (s)

@@ -1,16 +1,17 @@
 // gesture/trials/stroke_networks.h: the two networks of the papers, from stroke to gesture. They are
 // baselines for comparison; the recogniser that the game uses is in recogniser.h.
 //
-// Time-delay network (paper 002, section 3.2). The workspace is a grid of 5x5 states in the x-y plane; z is
-// disregarded. The input is a sliding window of the 8 most recent transitions between states: 16 nodes. 24
-// hidden nodes; one output for each gesture (the paper has 4: circles both ways and diagonal strokes). The
-// paper does not say how a transition is encoded. With 8 transitions in 16 nodes there are two numbers for
-// each: the steps in x and y. The grid here is the square around the stroke, because strokes of data sets
-// come without a workspace. The answer to a whole stroke is the mean of the outputs over its windows.
+// Time-delay network (paper 002, on the game HaptiCast, section 3.2). The workspace is a grid of 5x5 states
+// in the x-y plane; z is disregarded. The input is a sliding window of the 8 most recent transitions between
+// states: 16 nodes. There are 24 hidden nodes, and one output for each gesture (the paper has 4: circles both
+// ways and diagonal strokes). The paper does not say how a transition is encoded. With 8 transitions in 16
+// nodes there are two numbers for each: the steps in x and y. The grid here is the square around the stroke,
+// because strokes of data sets come without a workspace. The answer to a whole stroke is the mean of the
+// outputs over its windows.
 //
-// Directional vectors (paper 000, section 8). "Haptic proxy positions were converted to directional
-// vectors (e.g. Right: 1,0,0; 1,0,0; ...)." The paper gives no size: here 16 unit vectors at equal
-// steps of arc length, 24 hidden nodes.
+// Directional vectors (paper 000, Mora and Lee 2008, section 8). "Haptic proxy positions were converted to
+// directional vectors (e.g. Right: 1,0,0; 1,0,0; ...)." The paper gives no size: here there are 16 unit
+// vectors at equal steps of arc length, and 24 hidden nodes.
 #pragma once
 #include <array>
 #include <span>

@@ -33,8 +33,8 @@ struct ArmTicks {
     std::atomic<bool> pushes{false};
     std::atomic<bool> stalled{false};    ///< true: the watchdog has ended the force since the newest tick
     std::atomic<bool> unwatched{false};  ///< true: the watchdog must end, because the arm is being closed
-    /// Number of ticks since ticks last came again after a stop, while the force is still faded in; 0: it is
-    /// not. Used by the servo thread.
+    /// Number of ticks since the ticks resumed after a stop, while the force still fades in; 0: no fade is
+    /// under way. Used by the servo thread.
     std::uint32_t resumed{};
 };
 

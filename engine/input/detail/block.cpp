@@ -1,6 +1,6 @@
 #include "input/detail/block.h"
 
-// A block is stored by column before zstd packs it: one field of a device over 512 ticks. Most columns are
+// Before zstd packs a block, it is stored by column: one field of a device over 512 ticks. Most columns are
 // idle or hold a level, so a run of unchanged values takes two bytes. The rest is noise of a few bits, which
 // zstd's entropy coder packs close to its bound. Each column states whether it holds values (shorter for a
 // mouse) or differences (shorter for a stick).
@@ -35,8 +35,8 @@ using Column = std::array<std::uint32_t, block_ticks>;
 constexpr std::size_t buttons_column = max_counts, model_age_column = buttons_column + 1,
                       skips_column = model_age_column + 1, wand_column = skips_column + 1,
                       state_column = wand_column + 1;
-// Bits of the state of a device in one tick: whether the device is away, and which fader (of the forces at
-// the hand) has changed to what.
+// Bits of the state of a device in one tick: whether the device is away, and which fader (for the forces at
+// the hand) has changed, with its new value.
 constexpr std::uint32_t away_bit = 1;
 constexpr unsigned fader_shift = 8, percent_shift = 16;
 

@@ -102,7 +102,8 @@ struct Loaded {
     Api api{};
 };
 
-/// All loaded libraries. Never destroyed, because they may still call or be called late.
+/// All loaded libraries. Never destroyed, because a library may still call, or be called, as the program
+/// ends.
 struct LoadedLibraries {
     std::mutex mutex;
     std::list<Loaded> all;
@@ -158,7 +159,7 @@ unsigned int take_error(const Api& api) {
     for (int i = 0; i < more_than_a_stack; ++i) {
         const auto code = api.hdGetError().code;
         if (code == 0) break;
-        first = code;  // the newest error comes first, so the last is the oldest
+        first = code;  // the library gives the newest error first, so the last is the oldest
     }
     return first;
 }

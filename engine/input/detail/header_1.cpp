@@ -1,5 +1,5 @@
-// Body of the header in format 1, which can always be read but is no longer written. A device's settings are
-// bits of its flags there, and two further groups of settings follow if a flag says so.
+// Body of the header in format 1, which can always be read but is no longer written. In that format a
+// device's settings are bits of its flags, and two further groups of settings follow if a flag says so.
 #include "input/detail/header.h"
 #include "input/detail/header_parts.h"
 

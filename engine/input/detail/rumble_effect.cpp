@@ -7,7 +7,7 @@ namespace thaum::input::detail {
 namespace {
 
 constexpr double pad_steps = 255;
-/// Magnitude of one of the 255 steps of a motor, which together make Linux's 65,535.
+/// Magnitude of one step of a motor: 255 steps make Linux's largest magnitude, 65,535.
 constexpr long step_magnitude = 257;
 
 std::uint16_t magnitude(const tactile::TactileFrame& frame, std::size_t actuator) {

@@ -14,7 +14,7 @@ namespace {
 
 thread_local CallNote* note_of_thread = nullptr;
 
-/// Work, shared by the thread that does it and the thread that waits.
+/// Work, shared by the thread that does it and the thread that waits for its end.
 struct Job {
     std::function<void()> work, if_late;
     CallNote in_call{nullptr};

@@ -7,8 +7,8 @@ namespace thaum::physics::detail {
 namespace {
 
 /// Values of a body's second user index, which Bullet itself does not use.
-constexpr int bounds_unknown = -1;  // also Bullet's initial value
-constexpr int bounds_at_rest = 1;   // computed while the body was at rest, so that they stay right
+constexpr int bounds_unknown = -1;  // the bounds must be computed; also Bullet's initial value
+constexpr int bounds_at_rest = 1;   // the bounds were computed at rest and remain valid
 
 bool needs_bounds(const btCollisionObject& object) {
     return object.isActive() || object.getUserIndex2() != bounds_at_rest;
@@ -42,8 +42,8 @@ void AwakeDispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, c
     for (int i = 0; i < awake_pairs_.size(); ++i) getNearCallback()(*awake_pairs_[i], *this, info);
 }
 
-/// A body at rest has its final bounds one step after it fell asleep: they contain its predicted place, too,
-/// and Bullet stops a body only at the end of the step in which it falls asleep.
+/// The bounds of a body contain its predicted place, too. Bullet stops a body only at the end of the step in
+/// which it falls asleep, so the bounds of a sleeping body are final one step later.
 void AwakeWorld::updateAabbs() {
     for (int i = 0; i < m_collisionObjects.size(); ++i) {
         btCollisionObject& object = *m_collisionObjects[i];

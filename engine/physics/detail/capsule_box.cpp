@@ -16,7 +16,8 @@
 namespace thaum::physics::detail {
 namespace {
 
-/// A capsule's axis this close to the box is inside it, as far as the direction of the contact goes (m).
+/// Distance from the box below which a capsule's axis counts as inside it, since the direction of the contact
+/// is then uncertain (m).
 constexpr double inside = 1e-6;
 /// Components of the half axis below this count as zero, so that an axis along a face touches it with its
 /// middle and not, by rounding, with an end (m).
@@ -49,7 +50,7 @@ std::span<const double> pieces(vec3 centre, vec3 half, vec3 box_half, std::array
     return std::span(into).first(count);
 }
 
-/// Place of the nearest point, from -1 to 1 along the segment. The slope never falls along it.
+/// Place of the nearest point, from -1 to 1 along the segment. The slope never falls along the segment.
 double nearest_place(vec3 centre, vec3 half, vec3 box_half) {
     std::array<double, 8> room;
     double place = -1, lowest = 1, highest = -1, before = 0;

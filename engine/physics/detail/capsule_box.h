@@ -17,11 +17,11 @@ struct SegmentToBox {
 };
 
 /// The nearest points of the box and the segment from `centre` - `half_axis` to `centre` + `half_axis`, all
-/// in the frame of the box. Where a part of the segment is equally near, its middle.
+/// in the frame of the box. If a whole part of the segment is equally near, its middle is returned.
 SegmentToBox nearest_points(vec3 centre, vec3 half_axis, vec3 box_half);
 
-/// Finds the contact of a capsule and a box. If the capsule can rotate, or its axis is inside the box, this
-/// is Bullet's own algorithm.
+/// Finds the contact of a capsule and a box. If the capsule can rotate, or its axis is inside the box,
+/// Bullet's own algorithm is used instead.
 class CapsuleBoxAlgorithm : public btConvexConvexAlgorithm {
 public:
     CapsuleBoxAlgorithm(const btCollisionAlgorithmConstructionInfo&, const btCollisionObjectWrapper* a,

@@ -59,7 +59,8 @@ struct Physics::Impl {
     Settings settings;
     std::vector<detail::Mesh> meshes;
     std::vector<detail::Body> bodies;  ///< bodies, sorted by key
-    /// Places of the bodies in `bodies`, by key, for keys below max_bodies; others are searched.
+    /// Indices in `bodies` of the bodies with keys below max_bodies, by key; bodies with other keys are
+    /// searched.
     std::vector<std::uint16_t> places;
     detail::BoundTree tree;  ///< bounding boxes of the bodies at their current positions
     std::unique_ptr<detail::BulletWorld> world;
@@ -97,7 +98,8 @@ struct Physics::Impl {
     /// keys.
     template <class Each>
     void each_near(const detail::Box&, const Each& each) const;
-    /// The same for bodies whose bounding box meets the path.
+    /// Calls `each` for each body whose bounding box meets that of the path, and possibly for others, in the
+    /// order of keys.
     template <class Each>
     void each_along(detail::Path, const Each& each) const;
 };
