@@ -8,8 +8,8 @@
 //     mark = "hit"      # what the HUD shows: none, hit, fall, warning, gift
 //     caption = ""      # words of the mark
 //     feed = ""         # line in the feed of all players
-//     feed_alone = ""   # that line if nobody else caused the event
-//     feed_fall = ""    # that line if nobody did, only a fall; default: feed_alone
+//     feed_alone = ""   # line in the feed if no other player caused the event
+//     feed_fall = ""    # line in the feed if a mere fall caused the event; default: feed_alone
 //     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
 //     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
@@ -96,7 +96,7 @@ struct WandPresentation {
 /// Placeholder for the name of the sound or effect of the spell concerned.
 inline constexpr std::string_view of_spell = "{spell}";
 
-/// What a spell shows in the world while it acts.
+/// Sign that a spell shows in the world while it acts.
 enum class SpellSign : std::uint8_t {
     none,
     shell,  ///< a shell around the caster while the shield lasts

@@ -29,7 +29,7 @@ struct PowerUpRules {
     double radius{};        ///< radius within which the power-up is picked up (m, on the ground)
 };
 
-/// What a rule set switches on or off, from assets/rules/thaum.toml or classic.toml.
+/// Parts of the game that a rule set switches on or off, from assets/rules/thaum.toml or classic.toml.
 struct RuleSet {
     bool energy_regain = true;  ///< true: wands regain energy by themselves, at the rates in their files
     bool spawn_shield = true;

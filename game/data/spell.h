@@ -52,7 +52,7 @@ struct SpellSystems {
     ecs::Schedule& schedule;
 };
 
-/// What a bot knows of its situation when it considers a spell.
+/// Situation of a bot that considers a spell, as far as the bot knows it.
 struct SpellOccasion {
     double focus{};           ///< remaining focus, as a share of the maximum
     double health{};          ///< remaining health, as a share of a new wizard's

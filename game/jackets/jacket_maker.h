@@ -32,7 +32,7 @@ struct JacketForm {
     std::optional<std::string_view> usual_place{};
 };
 
-/// What `thaum doctor` finds out about a jacket.
+/// Result of the check of a jacket by `thaum doctor`.
 struct JacketCheck {
     bool usable{};
     std::string words{};   ///< text that follows the jacket's name in a line, with the space or colon before

@@ -1,6 +1,6 @@
 // game/lab/body_feel.h: the feel of a body as a whole in the volume lab, as parts with numbers. The force on
 // the hand is F = A + R(v) + S(n): A is ambient, R(v) a drag against the hand's velocity v, and S(n) acts
-// along the density's gradient. Walls are added to it (haptics/volume/volume_feel.h):
+// along n, the direction of the density's gradient. Walls are added to it (haptics/volume/volume_feel.h):
 //
 //     opacity  S R                  force along the gradient (N) and drag (N s/m) where the picture is opaque
 //     attract  S R                  the same, but drawn towards opaque matter, to follow thin structures

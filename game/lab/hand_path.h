@@ -9,8 +9,7 @@ namespace thaum::game::inline lab {
 
 enum class HandWay : std::uint8_t { rest, press, circle, file };
 
-/// What the hand does with tool and undo in one step, as in a row of a trace (the table of a session of the
-/// lab).
+/// Use of tool and undo by the hand in one step, as in a row of a trace (the table of a session of the lab).
 struct HandUse {
     std::size_t tool{};  ///< index of the held tool in the sorted list, counted from 1; 0: none
     int history{};       ///< -1: undo, 1: redo, 0: neither

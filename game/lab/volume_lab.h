@@ -36,8 +36,8 @@
 
 namespace thaum::game::inline lab {
 
-/// Largest number of servo steps, each of which computes the force anew, in a tick of 1 ms. A step then takes
-/// 0.2 ms.
+/// Largest number of servo steps, each of which computes the force anew, in a tick of 1 ms. With this number
+/// a step takes 0.2 ms.
 inline constexpr int max_steps_per_tick = 5;
 
 /// Ticks between two uses of a carving tool (dabs) while it is held.
@@ -73,7 +73,7 @@ struct VolumeLabSettings {
         places{};  ///< places of the first volume and of the added ones; missing ones are in the middle
 };
 
-/// What the lab reads from data files.
+/// Materials, tools and devices that the lab has read from data files.
 struct VolumeLabData {
     field::Materials materials;
     std::vector<field::Tool> tools;    ///< tools, sorted by name

@@ -13,7 +13,7 @@ Expected<FeltCourses> load_felt_courses(const audio::SoundBank& bank, const std:
 
 class BodySound {
 public:
-    /// Keeps a reference to the courses, so they must outlive this object.
+    /// Keeps a reference to `courses` (strengths of the sounds over time), which must outlive this object.
     BodySound(MatchSounds sounds, const FeltCourses& courses) : scene_(std::move(sounds)), felt_(courses) {}
 
     /// Computes what was heard in the last eight ticks. Call this in every eighth tick only.

@@ -42,7 +42,7 @@ struct ArmWish {
 struct Seat {
     SeatKind kind{};
     int pad = 0;                   ///< index of the pad in input::Pads
-    int level = 1;                 ///< level of the bot (1 to 3)
+    int level = 1;                 ///< level of the bot, 0 (easiest) to 3
     std::optional<ArmWish> arm{};  ///< request for a real arm in the same hand; std::nullopt: none
 };
 
@@ -96,10 +96,10 @@ struct LivePlan {
     /// true: the players choose their seats on the start screen, which replaces `seats` and returns after
     /// each match
     bool start_screen = false;
-    /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is
-    /// recorded, and data files are read again when they change.
+    /// Kind of the dummy if the session is the practice range instead of a match. The first seat practises,
+    /// nothing is recorded, and data files are read again when they change.
     std::optional<DummyKind> practice{};
-    /// true: the session is the Apprentice, lessons on the range that also choose the dummy
+    /// true: the session is the Apprentice, lessons on the practice range that also choose the dummy
     bool apprentice = false;
     bool first_start =
         false;  ///< true: the program was never started before, so the lessons are offered first

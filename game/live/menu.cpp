@@ -123,7 +123,7 @@ void LiveMenu::key(int key, bool pressed, std::int64_t now_ns) {
         return;
     }
     if (takes_text()) return name_key(key, now_ns);
-    // In the pause the leave key acts at once, as it does after the round.
+    // In the pause the session's key `leave` acts at once, as it does after the round.
     const bool pause = state_.pages.back().page == page_name::pause;
     if (pause && is_bound(settings().of(SessionKey::leave), key)) {
         request_ = MenuRequest::leave;

@@ -25,12 +25,12 @@ enum class ReplayDeed : std::uint8_t {
     eyes,  ///< shows the next view: both players', the first's or the second's
 };
 
-/// What a key does in a replay; std::nullopt: nothing. These keys are fixed, since they act in replays only.
+/// Action of a key in a replay; std::nullopt: none. These keys are fixed, since they act in replays only.
 std::optional<ReplayDeed> replay_deed_of(int key);
 /// Words for the screen on what the keys do.
 std::string replay_keys();
 
-/// What the viewer of a replay has chosen to see.
+/// The viewer's choices in a replay: moment, speed, pause and views.
 struct ReplayView {
     Tick at{};  ///< tick that is shown, or target of a jump that is not done yet
     double speed = 1;

@@ -72,8 +72,9 @@ struct MenuContext {
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, players> arms{};
     bool practice = false;     ///< true: the pause belongs to the practice range
-    bool apprentice = false;   ///< true: the pause belongs to the lessons on the range (the Apprentice)
-    bool first_start = false;  ///< true: the start screen offers the lessons on the range first
+    bool apprentice = false;   ///< true: the pause belongs to the lessons on the practice range (the
+                               ///< Apprentice)
+    bool first_start = false;  ///< true: the start screen offers the lessons on the practice range first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can
     std::string half_for{};    ///< player who may go on with half of the keyboard; empty: nobody
@@ -138,7 +139,8 @@ struct MenuState {
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< chosen entries: indices into lists of MenuContext
     std::size_t dummy = 0;                        ///< kind of the range's practice dummy (DummyKind)
-    RangeChanges range{};                         ///< changes of the range's rules, such as endless energy
+    RangeChanges range{};                         ///< changes of the practice range's rules, such as endless
+                                                  ///< energy
     std::size_t gesture = 0;                      ///< chosen gesture, an index into MenuContext::gestures
     /// index of the sheet (the bindings of one kind of device, or of the session) on the bindings page
     std::size_t sheet = 0;
@@ -173,12 +175,12 @@ bool esc_ends_waiting(const MenuState& state);
 /// Note for the players that says why the pause cannot end.
 std::string words_of_refusal(const MenuContext& context);
 
-/// What is to be drawn of the menu.
+/// Description of everything that is to be drawn of the menu.
 MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
 /// Title of the window: "Thaum", and with a menu its page and the chosen row, for screen readers and for
-/// those who look at another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". The
-/// start screen's and the pause's own rows stand without a page.
+/// those who look at another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". For
+/// rows of the start screen and of the pause the title names no page.
 std::string window_title(const MenuState& state, const MenuContext& context);
 
 /// Moves the cursors of all open pages so that they stay on the rows on which they were in the context

@@ -228,7 +228,7 @@ void GestureWall::follow(const Simulation& match) {
     const auto* drawn = world.find<DrawnStroke>(wizard);
     const auto now = match.match().played;
     if (drawn != nullptr) {
-        // At the cauldron, a panel (hud/rim_card.h) helps with strokes instead.
+        // No display for a stroke at the cauldron: there a panel (hud/rim_card.h) helps with strokes.
         if (drawn->on_brew != 0) return;
         if (!drawing_) begin_stroke();
         if (match.now() % gameplay_period == 0) stroke_ = points_of(*drawn);

@@ -178,7 +178,7 @@ double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
 
-/// What the column `with` in the table of events contains, such as the cause of a hit; empty if the event has
+/// Value of the column `with` in the table of events, such as the cause of a hit; empty if the event has
 /// none.
 std::string with_of(const Play& play, const Event& event);
 /// Records an event that did not happen in the match, so that it is heard and felt.

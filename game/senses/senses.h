@@ -39,7 +39,7 @@ public:
     const SenseData& data() const { return *data_; }
     const MatchEffects& effects() const { return effects_; }
     const MatchSounds& sounds() const { return sounds_; }
-    /// What both players hear in the newest frame.
+    /// Sounds of the newest frame, as both players hear them.
     const audio::AudioFrame& heard() const { return frame_; }
     std::span<const HeardLine> lines(std::uint32_t player) const { return lines_.at(player).lines(); }
     const tactile::TactileFrame& felt(std::uint32_t player, std::size_t layout) const {

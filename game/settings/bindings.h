@@ -33,8 +33,8 @@ bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
 /// Tests whether a control can be bound to the action: a control of the sheet's kind of device, or on the
-/// session's sheet a key. Steps of the wheel always move a held thing nearer or farther, so they cannot also
-/// be bound to that.
+/// session's sheet a key. Steps of the wheel always move a held thing nearer or farther, so they cannot be
+/// bound to that action as well.
 bool fits(Slot slot, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);

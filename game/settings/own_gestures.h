@@ -14,7 +14,7 @@
 
 namespace thaum::game::inline settings {
 
-/// What became of a gesture that the player has recorded on the practice range.
+/// Result of the check of a gesture that the player has recorded on the practice range.
 enum class Verdict : std::uint8_t {
     none,    ///< nothing was recorded
     kept,    ///< accepted, and used from now on
