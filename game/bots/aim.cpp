@@ -80,8 +80,8 @@ bool seen_within(const Mind& mind, double duration, Tick tick) {
 /// Holds fire until the wand is charged, or drawn like a bow, as far as wanted and the view has reached its
 /// aim. Then releases fire.
 void ready_and_let_go(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
-    // The bot lets go when at most this much is missing of the wanted charge, or of the wanted draw of a wand
-    // that is drawn like a bow (0 to 1).
+    // The bot lets go when the charge, or the draw of a wand like a bow, is at most this much below the
+    // wanted value (both 0 to 1).
     constexpr double enough = 0.04;
     const bool arc = self.shot.fall > 0;
     const bool knows = seen_within(mind, arc ? 1.4 : 0.3, tick);

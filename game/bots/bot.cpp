@@ -16,7 +16,7 @@
 #include "game/bots/swinging.h"
 #include "game/bots/turn.h"
 
-// Bots act in every gameplay tick, which is every 8 ms: a bot looks, chooses an aim and a way, and spreads
+// Bots act in every gameplay tick, which is every 8 ms. A bot looks, chooses an aim and a way, and spreads
 // its turn over the ticks until the next gameplay tick.
 namespace thaum::game::inline bots {
 namespace {

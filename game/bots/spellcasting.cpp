@@ -57,8 +57,8 @@ SpellOccasion occasion_of(const BotTurn& turn) {
             .thing_distance = distance_of_last_thing(match, wizard, self.eye)};
 }
 
-/// Index of the spell that is worth most to the bot, among those for which it has enough focus (what wizards
-/// spend on spells); the number of spells if there is none.
+/// Index of the spell that is worth most to the bot, of those for which it has enough focus (what spells
+/// cost); the number of spells if there is none.
 std::size_t best_spell(const BotTurn& turn, const SpellOccasion& occasion, double cost) {
     const auto& world = turn.match.world();
     const auto& spells = turn.match.data().spells;

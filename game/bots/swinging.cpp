@@ -24,8 +24,8 @@ constexpr double walk_to_edge = 7;  ///< largest distance that the bot walks to 
 constexpr double at_edge = 0.5;  ///< distance from the edge at which the bot counts as having reached it (m)
 constexpr double costs_as = 9;   ///< walking distance that takes as long as a swing (m)
 constexpr double let_go_past = 2.2;  ///< distance beyond the rope's anchor at which the bot lets go (m)
-/// The bot fires when its aim is this near to the anchor, the point for its rope, as a share of the largest
-/// angle at which the rope still attaches.
+/// Largest angle between aim and anchor (the point for the rope) at which the bot fires, as a share of the
+/// largest angle at which the rope attaches.
 constexpr double aim_share = 0.7;
 constexpr double energy_needed = 20;
 constexpr double min_health = 35;  ///< least health for a swing (HP): a fall into the gap must not kill

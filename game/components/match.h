@@ -42,8 +42,8 @@ struct Dice {
 };
 
 /// Kinds of event with fixed numbers, because recorded matches contain these numbers. The numbers missing in
-/// this list belong to the hits of wands. New kinds are not added to it: the source that records one
-/// registers it (game/data/event_kinds.h, which names all kinds), and it gets a number above the last one of
+/// this list belong to the hits of wands. New kinds are not added here: the source that records a new kind
+/// registers it (game/data/event_kinds.h, which names all kinds). It then gets a number above the last one of
 /// the list.
 enum class EventKind : std::uint32_t {
     none = 0,

@@ -25,9 +25,9 @@ struct Potions {
     bool operator==(const Potions&) const = default;
 };
 
-/// Order in which each player must add the ingredients of recipes whose order is random, drawn from the seed
-/// once a match. order[player][i] is the place of the i-th ingredient in the recipe's list. A recipe with
-/// fewer ingredients skips the places that its list lacks.
+/// Order in which each player must add the ingredients of recipes whose order is random. It is drawn from the
+/// seed once a match. order[player][i] is the place of the i-th ingredient in the recipe's list. A recipe
+/// with fewer ingredients skips the places that its list lacks.
 struct DrawnOrders {
     std::array<std::array<std::uint32_t, max_recipe_ingredients>, players> order{};
     THAUM_COMPONENT(DrawnOrders, order);

@@ -32,13 +32,12 @@ struct CastingRules {
     /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, below which the hand
     /// was slow.
     double free_quiet_pace{};
-    /// Free casting tries many parts of the hand's motion, called windows, as a gesture. If the speed of the
-    /// hand just before a window, as a multiple of its speed in the window, is above this limit, no gesture
-    /// begins there, because the hand was already moving.
+    /// Limit of the speed of the hand just before a part of its motion (a window) that is tried as a gesture,
+    /// as a multiple of the speed in the window. Above this limit no gesture begins there, because the hand
+    /// was already moving.
     double free_most_pace{};
-    /// Arc length of a closed gesture, such as a circle, below which its probability must reach
-    /// free_least_probability even if the hand was slow before it, because small loops are often drawn by
-    /// accident (m)
+    /// Arc length below which a closed gesture, such as a circle, must reach free_least_probability even if
+    /// the hand was slow before it (m). Small loops are often drawn by accident.
     double free_loop{};
     double free_stop{};  ///< duration of a pause within a gesture from which on the gesture may be two
                          ///< movements (s)

@@ -81,8 +81,8 @@ struct CauldronRules {
     Tick recoil_length{};
     /// Downward momentum of a lob (a missile thrown in an arc) that bursts at the brew (N s)
     double burst{};
-    /// Work that a wizard does on the brew with the ladle within 1.5 s, from which on the wizard can take
-    /// over a brew that belongs to the other (J)
+    /// Least work that a wizard must do on the other player's brew within 1.5 s, with the ladle, to take the
+    /// brew over (J).
     double min_wrest{};
     Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)
     /// Time from the first ingredient to boiling over, for a brew that can no longer become a potion (ticks)

@@ -31,8 +31,8 @@ struct OrbMode {
 struct OrbRules {
     double metres_per_metre{};  ///< distance that the probe moves per distance of the hand (m/m)
     double reach{};  ///< greatest distance from the orb's surface at which a wizard can use the orb (m)
-    /// Distance from the hidden core, the axis of the strongest vortex, which a wizard searches, within which
-    /// the probe counts as near it; as a share of the orb's diameter.
+    /// Distance within which the probe counts as near the hidden core, as a share of the orb's diameter. The
+    /// hidden core, which a wizard searches, is the axis of the strongest vortex.
     double core_share{};
     /// time for which the probe must stay near the hidden core until the orb gives its reward (ticks)
     Tick hold{};

@@ -55,8 +55,8 @@ struct WizardRules {
     double object_safe{}, object_damage{}, max_object_damage{};
     /// Ticks after the beginning of a blow in which the same thing cannot hurt again.
     Tick object_again{};
-    /// Ticks after the other player has hurt or pushed the wizard, or moved a thing, for which that player is
-    /// credited with a fall of the wizard, or with a blow by that thing.
+    /// Ticks for which a player is credited with harm to the other wizard: with a fall after that player has
+    /// hurt or pushed the wizard, and with a blow by a thing after that player has moved the thing.
     Tick blame{};
     double pitch_limit{};  ///< largest angle of view above or below the horizon (rad)
 };

@@ -189,8 +189,8 @@ bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     return jumps;
 }
 
-/// Weight of a volume's feel at a position: 1 within the box of its samples, falling to 0 over the last half
-/// sample, so that no force jumps at the edge.
+/// Weight of a volume's feel at a position. It is 1 within the box of the volume's samples, and falls to 0
+/// over the last half sample, so that no force jumps at the edge.
 double share_within(const VolumeRef& volume, vec3 place) {
     const vec3 own = field::to_own(volume.placement, place), half = 0.5 * volume.source.extent();
     double share = 1;
@@ -224,8 +224,8 @@ void fill_primitives(VolumeLab& lab, vec3 tip, vec3 motion) {
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
-/// Computes the force on the hand once (N): a servo step that omits what counts in ticks of 1 ms, the safety
-/// stage and the account of the energy that the forces give.
+/// Computes the force on the hand once (N), by a servo step without the parts that count in ticks of 1 ms.
+/// These are the safety stage, and the account of the energy that the forces give.
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
     // Displacement of the tip over the last whole tick. Over one short step, most of it would be the
     // quantisation of the device.

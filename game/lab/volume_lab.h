@@ -177,10 +177,10 @@ struct VolumeLabFigures {
 Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 
 /// Computes the force `steps_per_tick` times in a tick, 1 to max_steps_per_tick. With several servo steps,
-/// each only reads the tip, lets the modes act, finds their balance and gives the force: the servo's safety
-/// stage and its account of energy are left out, because they count in ticks of 1 ms. The force is then
-/// limited only by the device's peak, and only the device, the hand and the drag of the body's feel damp the
-/// motion. So this must only be used with a simulated device.
+/// each one only reads the tip, lets the modes act, finds their balance and gives the force. The servo's
+/// safety stage and its account of energy are left out, because they count in ticks of 1 ms. The force is
+/// then limited only by the device's peak, and only the device, the hand and the drag of the body's feel damp
+/// the motion. So this must only be used with a simulated device.
 void set_servo_rate(VolumeLab& lab, int steps_per_tick);
 
 /// Puts the hand at rest at a position of the workspace.
@@ -221,8 +221,8 @@ haptics::FieldKind kind_of(const VolumeLab& lab);
 double value_at(const VolumeLab& lab, vec3 place);
 
 /// A mode with strengths that suit the volume's range and the device. If `filters` is empty, a mode that
-/// cannot read the volume directly gets the filter that it needs: an isosurface in a flow, for example, is
-/// one of the flow's speed. The error lists the existing modes.
+/// cannot read the volume directly gets the filter that it needs. For example, an isosurface in a flow is an
+/// isosurface of the flow's speed. The error lists the existing modes.
 Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
                            std::vector<field::Filter> filters = {}, std::size_t volume = 0);
 

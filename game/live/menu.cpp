@@ -53,8 +53,8 @@ std::optional<std::size_t> chosen_row(const MenuState& state) {
 
 }  // namespace
 
-/// Applies an event to the menu. While a request waits for the session, presses are ignored: the request will
-/// close the menu or end its match, so they are not meant for this menu any more.
+/// Applies an event to the menu. Presses are ignored while a request waits for the session. The request will
+/// close the menu or end its match, so such presses are not meant for this menu any more.
 void LiveMenu::step(const MenuEvent& event) {
     if (request_ != MenuRequest::none && event.kind != Kind::gone) return;
     const auto before = state_.settings;

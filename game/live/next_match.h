@@ -20,9 +20,9 @@ public:
     /// Whether the next match is practice on the range.
     bool is_practice() const { return range_.has_value(); }
 
-    /// Reads the data of a match with the rules `match` (a file of assets/rules) and the arena `arena` (a
-    /// file of assets/arenas), again for each match: the practice range lets players edit the files. After an
-    /// error, which names file, line and key, the old data stays.
+    /// Reads the data of a match again for each match, because the practice range lets players edit the
+    /// files. `match`: the rules, a file of assets/rules. `arena`: a file of assets/arenas. After an error,
+    /// which names file, line and key, the old data stays.
     Expected<void> choose(const std::string& match, const std::string& arena);
     /// Makes the next match practice on the range. The error names file, line and key.
     Expected<void> open_range();

@@ -71,8 +71,8 @@ struct QualityChoice {
     }
 };
 
-/// Period of pictures outside of a match and in a pause, when little moves: the camera that circles the arena
-/// moves the picture by less than two pixels in that time (ns).
+/// Period of pictures outside of a match and in a pause, when little moves (ns). The camera that circles the
+/// arena moves the picture by less than two pixels in that time.
 constexpr std::int64_t still_period_ns = 66'000'000;
 constexpr double seconds_per_camera_turn = 360;
 

@@ -52,9 +52,9 @@ public:
     /// recorded match.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
-    /// One line that says why equal hashes do not prove the replay: the log has no hashes, lacks one of every
-    /// 128th tick, or was closed properly and lacks that of its last tick. Empty if the hashes prove the
-    /// replay. For a log that was cut off, they prove it up to the last hash.
+    /// One line that says why equal hashes do not prove the replay; empty if they do. The log may have no
+    /// hashes, lack one at a multiple of 128 ticks or, if it was closed properly, lack the hash of its last
+    /// tick. For a log that was cut off, the hashes prove the replay up to the last hash.
     std::string missing_hashes() const;
     /// One line if a properly closed log stores another result than the match has now; else empty.
     std::string wrong_result() const;

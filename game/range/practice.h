@@ -49,8 +49,8 @@ public:
              std::vector<input::ProfileData> profile = {});
 
     Simulation& match() { return *range_.match; }
-    /// Removes a press of fire that began before a step of the lessons, or that chose a force, from the
-    /// practising player's samples until fire is released, so that it fires no shot.
+    /// Removes fire from the practising player's samples until it is released, if the press began before a
+    /// step of the lessons or chose a force. So that press fires no shot.
     void hold_fire_back(input::InputFrame& frame);
     /// Starts the search for the largest force that the player likes.
     void find_force() { force_trial_.begin(); }

@@ -421,8 +421,8 @@ void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
     lua_setfield(lua, -2, "reason");
 }
 
-/// Pushes the potions that act on the player, each with the time left (s), and `work_half`: whether the
-/// player holds Azoth, one half of the Great Work, which wins a round.
+/// Pushes the potions that act on the player, each with the time left (s), and `work_half`. This tells
+/// whether the player holds Azoth, one half of the Great Work, which wins a round.
 void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto& potions = part<Potions>(play, player);
     const auto played = play.match->match().played;

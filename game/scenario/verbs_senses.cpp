@@ -167,8 +167,8 @@ int verb_loopback(lua_State* lua, void* context) {
 
 // ---- events by hand, and checks ---------------------------------------------------------------------------
 
-/// Verb that changes the match by itself (sets the scene), so that no log is kept: records an event that did
-/// not happen, so that it is heard and felt.
+/// Verb: records an event that did not happen, so that it is heard and felt. The verb changes the match by
+/// itself (sets the scene), so no log is kept.
 int verb_happen(lua_State* lua, void* context) {
     auto& play = began(context);
     const Options options(lua, 1, "happen", {"kind", "subject", "by", "amount", "at"});

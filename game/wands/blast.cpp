@@ -124,7 +124,7 @@ void stop_charging(const WandUse& use) {
 }
 
 /// After the shot, reduces the steady force in proportion to how far the recoil has risen, until the recoil's
-/// peak, so that their sum never exceeds the greater of the two.
+/// peak. So the sum of the two forces never exceeds the greater of them.
 void give_way(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.leaning == 0) return;
     const auto at = static_cast<std::uint32_t>(tick - hand.went_off);

@@ -92,8 +92,8 @@ void fire(const WandUse& use, const BoltData& data) {
         if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
-    // Shots are possible only in gameplay ticks (every eighth), so the time of the next shot follows from
-    // when the last one was due, not from when it was made. The rate is then exact on average.
+    // Shots are possible only in gameplay ticks (every eighth). The time of the next shot follows from the
+    // time at which the last one was due, not from when it was made, so the rate is exact on average.
     hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
     shoot(use, data);
 }

@@ -75,8 +75,8 @@ vec3 in_basin(const LabState& lab, vec3 place) {
     return place;
 }
 
-/// Position at which the mouse points in the horizontal plane at the ladle's height; in a nearly horizontal
-/// view, in the vertical plane through the middle. std::nullopt if the mouse points at no place of that
+/// Position at which the mouse points in a plane: the horizontal one at the ladle's height or, in a nearly
+/// horizontal view, the vertical one through the middle. std::nullopt if the mouse points at no place of that
 /// plane.
 std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     if (!session.cursor || size.height <= 0) return std::nullopt;

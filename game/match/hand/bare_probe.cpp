@@ -46,8 +46,8 @@ bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState&
 }
 
 /// Pushes a touched prop (a loose thing). Its later hits are credited to the player who pushed it, unless the
-/// other player moved the prop within the last seconds (WizardRules::blame): a wizard hit by a thrown thing
-/// has usually touched that thing with the wand, too.
+/// other player moved it within the last seconds (WizardRules::blame). The reason is that a wizard hit by a
+/// thrown thing has usually touched that thing with the wand, too.
 void push(MatchContext& context, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place,
           const Prop& deed) {
     const auto thing = context.world.entity(contact.key);
