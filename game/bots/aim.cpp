@@ -25,8 +25,8 @@ bool worth_a_shot(const Self& self, const Seat& seat, const Mind& mind) {
     return self.can_shoot && distance < seat.skill.range && (near || self.energy_share > seat.skill.reserve);
 }
 
-/// Returns this tick's equal share of `left`, the mouse counts that the bot has still to give before its next
-/// gameplay tick, and subtracts it from `left`.
+/// Returns this tick's equal share of `left`, and subtracts it from `left`. `left`: mouse counts that the bot
+/// has still to give before its next gameplay tick.
 std::int32_t take_share(std::int32_t& left, Tick ticks_left) {
     const auto part = left / static_cast<std::int32_t>(ticks_left);
     left -= part;

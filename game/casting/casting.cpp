@@ -116,8 +116,8 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
 
 namespace {
 
-/// The reading that replaces that of a stroke after a key chord (a wand's key while Trace is held): the
-/// gesture of the key's spell, with probability 1.
+/// The reading that replaces the reading of a stroke after a key chord (a wand's key pressed while Trace is
+/// held). It is the gesture of the key's spell, with probability 1.
 Reading chord_reading(const MatchContext& context, const GestureSet& gestures, const Controls& controls) {
     const auto& rules = *context.data.casting;
     Reading reading;

@@ -16,8 +16,8 @@ constexpr std::uint32_t points_to_end = 4;
 /// length of the shortest window (m), and ratio of each window's length to the next shorter one.
 constexpr std::uint32_t windows_per_tick = 9;
 constexpr double first_length = 0.02, window_ratio = 1.05;
-/// Number of points just before a window (the part that is tried as a gesture) from which the speed before
-/// the gesture is taken (0.1 s).
+/// Number of points just before a window (the part that is tried as a gesture) that give the speed before the
+/// gesture (0.1 s).
 constexpr std::size_t points_before = 12;
 // A window (part of the motion) gets a score, as in gesture/spotter.cpp. It is the logarithm of the window's
 // distance from the recorded gesture, plus two terms with these weights: the logarithm of (speed before the

@@ -13,7 +13,7 @@ inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
 inline constexpr std::size_t max_potions = 8;
 inline constexpr std::size_t max_recipe_ingredients = 3;
 
-/// Potions that act on a wizard. Health holds the state of the potions that harden or poison, and WandBelt
+/// Potions that act on a wizard. Health holds the state of the potions that harden or poison. WandBelt holds
 /// that of the potion that poisons the next lob (a missile thrown in an arc).
 struct Potions {
     /// Time at which each potion stops acting, by its number (ticks of play)

@@ -18,8 +18,8 @@ namespace thaum::game::inline context {
 /// Strengths of the force on a hand in the last ticks (N): a ring buffer indexed by tick.
 using ForceTrace = std::array<float, 2048>;
 
-/// The last finished stroke of a player, the last key chord (a wand's key pressed while the button Trace is
-/// held) used instead of a stroke, and their results.
+/// The last finished stroke of a player, the last key chord used instead of a stroke, and their results. A
+/// key chord is a press of a wand's key while the button Trace is held.
 struct EndedStroke {
     DrawnStroke stroke;
     Tick at{};    ///< tick of play at which the stroke ended; 0: no stroke yet

@@ -16,8 +16,8 @@ namespace thaum::game::inline data {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
-/// Top-level tables of data files that no match reads, so their values are not hashed: how events and things
-/// are shown, and the places of practice.
+/// Top-level tables of data files that no match reads: how events and things are shown, and the places of
+/// practice. Their values are not hashed.
 constexpr std::array<std::string_view, 4> unhashed_tables{"event", "look", "range", "sound"};
 
 /// Reads data files, stores the hash of each file's values, and applies overrides.

@@ -15,10 +15,10 @@ namespace thaum::game::inline data {
 struct OrbMode {
     std::string name;                    ///< name of a haptic mode (haptics/modes.h)
     std::vector<field::Filter> filters;  ///< filters applied to the orb's flow before the mode reads it
-    /// Strength of the mode's force before the wizard changes it, as a function of the mode's property, which
-    /// is a quantity of the flow, such as its speed (N). A derivative of the flow that the mode itself
-    /// computes is per metre of hand motion, and OrbRules::metres_per_metre converts it to metres in the orb.
-    /// A derivative by one of the filters is per metre in the orb.
+    /// Strength of the mode's force before the wizard changes it, as a function of the mode's property (N).
+    /// The property is a quantity of the flow, such as its speed. A derivative of the flow that the mode
+    /// itself computes is per metre of hand motion, and OrbRules::metres_per_metre converts it to metres in
+    /// the orb. A derivative by one of the filters is per metre in the orb.
     field::TransferFunction strength{};
     field::TransferFunction friction{};  ///< coefficient of friction, as a function of the field's value
     /// Value of the mode's property (a quantity of the flow) at the right end of the plane on which a wizard

@@ -56,8 +56,8 @@ Expected<haptics::VolumeFeel> feel_of_parts(std::span<const FeelPart> parts,
 /// Haptic factors of each material, relative to the first material of the table.
 haptics::MaterialTable feel_of_materials(const field::Materials& materials);
 
-/// Looks up the material of a body at a position in the parent frame: that of the nearest voxel; outside of
-/// the body the first material of the table.
+/// Looks up the material of a body at a position in the parent frame. It is the material of the nearest
+/// voxel, and outside of the body the first material of the table.
 struct BodyMaterials {
     std::array<int, 3> count{};
     vec3 spacing{1};

@@ -39,8 +39,8 @@ struct LiveBody {
     static Expected<LiveBody> load(const std::filesystem::path& assets);
     /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
     const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;
-    /// Kinds of effect, by what they tell the player (purposes, such as blasts), of which there is at least
-    /// one effect, in the order of tactile::Purpose. Each has a fader in the menu.
+    /// Kinds of effect (purposes, such as blasts) of which there is at least one effect, in the order of
+    /// tactile::Purpose. Each kind has a fader in the menu.
     std::vector<tactile::Purpose> purposes() const;
 };
 

@@ -7,8 +7,8 @@
 
 namespace thaum::game::inline live {
 
-/// Loads the frequency bands in which sounds are felt from assets/tactile/sound.toml, and computes the
-/// strength over time (the course) of each sound of a bank in these bands. The error is one line.
+/// Loads from assets/tactile/sound.toml the frequency bands in which sounds are felt. Computes the strength
+/// over time (the course) of each sound of a bank in these bands. The error is one line.
 Expected<FeltCourses> load_felt_courses(const audio::SoundBank& bank, const std::filesystem::path& assets);
 
 class BodySound {

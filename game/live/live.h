@@ -114,8 +114,8 @@ struct LivePlan {
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    /// words for the players on a faulty settings file, on the start screen or else at the start of the first
-    /// match; empty: there is no fault
+    /// words for the players on a faulty settings file, shown on the start screen or else at the start of the
+    /// first match; empty: there is no fault
     std::string start_fault{};
     /// Reads all data files and returns a text on their faults for terminal and start screen. A thread of its
     /// own calls it after the first pictures. null: the files are not checked.

@@ -43,8 +43,8 @@ inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
 inline constexpr Tick replay_jump = 5000;  ///< length of a jump by the keys for jumps (ticks)
 inline constexpr Tick replay_step = 16;    ///< length of a single step: one picture at 60 Hz (ticks)
 inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long before the kill (ticks)
-/// A jump back to the previous kill leads to `before_kill` ticks before it. A kill is skipped if that place
-/// is less than this time before the present tick, so that repeated jumps lead to ever earlier kills (ticks).
+/// Least length of a jump back to a kill (ticks). The jump leads to `before_kill` ticks before a kill. A kill
+/// is skipped if that place is nearer than this, so that repeated jumps lead to ever earlier kills.
 inline constexpr Tick same_kill = 1000;
 
 /// The viewer's choices after an action by a key (`deed`). `length`: ticks of the log; `kills`: those known,

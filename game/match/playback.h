@@ -45,8 +45,8 @@ public:
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
     /// Input frame of the last tick that was played.
     const input::InputFrame& frame() const { return frame_; }
-    /// At the tick just played, the log's hash and the computed one if they differ. std::nullopt if they
-    /// agree, or if the log has no hash for this tick.
+    /// The log's hash at the tick just played, and the computed one. std::nullopt if they agree, or if the
+    /// log has no hash for this tick.
     std::optional<Divergence> mismatch() const;
     /// The first difference from the recorded hashes that was found. After it, the replay no longer shows the
     /// recorded match.

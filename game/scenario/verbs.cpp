@@ -487,8 +487,8 @@ constexpr WizardReader wizard_readers[] = {
                 std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).device.position); }},
     {"force", [](lua_State* lua, const Play& p,
                  std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).servo.safety.output); }},
-    // Largest energy that forces which must create none (passive sources) have created so far: what they gave
-    // to the hand beyond what hand and world gave to them (J).
+    // Largest energy that passive sources, forces which must create no energy, have created so far (J): the
+    // energy that they gave to the hand beyond what hand and world gave to them.
     {"created",
      [](lua_State* lua, const Play& p, std::uint32_t i) {
          lua_pushnumber(lua, part<HandState>(p, i).servo.energy.most_created);

@@ -95,8 +95,8 @@ std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     return in_basin(session.plan.lab, eye + way * ray);
 }
 
-/// Moves the ladle by one step: down to the position of the mouse while stirring, along with the mouse, and
-/// up again when stirring ends.
+/// Moves the ladle by one step. While stirring, the ladle goes down to the position of the mouse and moves
+/// with it. When stirring ends, the ladle goes up again.
 void move_ladle(LabSession& session, render::Size size) {
     const auto target = session.stirring ? pointed_at(session, size) : std::nullopt;
     if (target && !session.ladle) session.ladle = vec3(target->x, above, target->z);

@@ -37,8 +37,8 @@ HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
     return frame;
 }
 
-/// Whether the wizard feels surfaces. A wizard whose wand holds something by a tether (a spring to the hand)
-/// or who works at a station, such as the cauldron, feels that instead.
+/// Whether the wizard feels surfaces. A wizard feels something else while the wand holds something by a
+/// tether (a spring to the hand), or while the wizard works at a station, such as the cauldron.
 bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state) {
     return wand_per_hand(context, wizard) > 0 && context.data.haptic_rules.probe.stiffness > 0 &&
            !(hand_state.tether.stiffness > 0) && !context.world.has<Dead>(wizard) &&

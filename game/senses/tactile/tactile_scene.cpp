@@ -23,8 +23,8 @@ constexpr double min_raise = 0.02;
 /// Keys by which lasting effects are known from frame to frame.
 constexpr std::uint32_t heart_key = 1, stir_key = 2, work_key = 3, first_sound_key = 10;
 
-/// Part of the body on which a player feels an event: the side on which the event's position, or the player
-/// who caused the event, lies.
+/// Part of the body on which a player feels an event. It is on the side of the event's position, or on the
+/// side of the player who caused the event.
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);

@@ -52,8 +52,8 @@ void make_rough(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) 
 /// (rad).
 double yaw_of(vec3 middle) { return middle.x == 0 && middle.z == 0 ? 0 : det::atan2(-middle.x, -middle.z); }
 
-/// Fits the cached data to a World whose crystals are untouched, and reserves their memory, so that the first
-/// hit on a crystal need not allocate. Reserved memory that is never used takes none of the machine's.
+/// Fits the cached data to a World whose crystals are untouched. Reserves their memory, so that the first hit
+/// on a crystal need not allocate. Reserved memory that is never used takes up no memory of the machine.
 void fit_bodies(const ecs::World& world, CrystalBodies& bodies) {
     bodies.list.resize(crystals_in(world));
     for (auto& body : bodies.list) {

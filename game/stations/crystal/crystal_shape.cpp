@@ -111,8 +111,8 @@ struct Ball {
     double radius{};
 };
 
-/// A ball near a random point of the key: on the middle line of ring, shaft or bits, then displaced by up to
-/// `off` voxels along each axis.
+/// A ball near a random point of the key. The point is on the middle line of ring, shaft or bits. The ball is
+/// then displaced by up to `off` voxels along each axis.
 Ball ball_at(const KeyShape& key, Random& random, double off) {
     vec3 on;
     const double which = random.uniform();

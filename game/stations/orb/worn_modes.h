@@ -21,9 +21,9 @@ std::uint32_t last_worn(const WornModes& modes);
 /// -1). `count`: number of all modes. It is a mode that is off; no_mode if every mode is on.
 std::uint32_t neighbour_of_last(const WornModes& modes, std::size_t count, int step);
 
-/// Point on the plane on which a wizard draws a mode's curve: the value of the flow's property that the mode
-/// reads, and the strength of its force (N). `hand`: position of the tip; `reach`: half of the workspace (m,
-/// device frame).
+/// Point on the plane on which a wizard draws a mode's curve. Its coordinates are the value of the flow's
+/// property that the mode reads, and the strength of the mode's force (N). `hand`: position of the tip;
+/// `reach`: half of the workspace (m, device frame).
 vec2 on_sheet(const OrbRules& rules, const OrbMode& mode, vec3 hand, vec3 reach);
 
 /// Draws the part of a strength curve that lies between two points of the plane on which a wizard draws it.
