@@ -43,7 +43,8 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
 /// Whether a straight way to a niche (a place of ingredients) passes no other niche that holds an ingredient.
 bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     const auto& match = turn.match;
-    // Margin to the other niche, so that the bot does not pick up what lies there (m)
+    // Margin to the other niche (a place of ingredients), so that the bot does not pick up what lies there
+    // (m)
     constexpr double room = 0.5;
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {

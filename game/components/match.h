@@ -92,8 +92,8 @@ enum class EventKind : std::uint32_t {
     work_half = 38,  ///< a wizard holds Azoth or the Lens, which held together win a round (the Great Work)
     work_lost = 39,  ///< a wizard has lost Azoth or the Lens, halves of the Great Work, by dying
     put_away = 40,   ///< a wizard has put a carried ingredient away; detail: number of the ingredient
-    /// A wizard who already carries an ingredient stands at another niche; detail: number of the niche's
-    /// ingredient.
+    /// A wizard who already carries an ingredient stands at another niche (place of ingredients); detail:
+    /// number of the niche's ingredient.
     hands_full = 41,
     caught = 42,  ///< a wand has caught a thing that flew at its wizard; amount: the thing's mass (kg)
     // From here on, kinds of event about the orb (48 to 55).

@@ -29,7 +29,7 @@ struct EndedStroke {
     Tick outcome_at{};           ///< tick of play at which the effect in `outcome` ended; 0: never
     std::string_view outcome{};  ///< how the effect of a spell ended after its cast, as a text for the wizard
                                  ///< who cast it
-    Tick chord_at{};             ///< tick of play of the last key chord; 0: none yet
+    Tick chord_at{};             ///< tick of the last key chord (a wand's key while Trace is held); 0: never
     std::uint32_t chord_slot{};  ///< slot (number) of the wand key that the last key chord pressed; the spell
                                  ///< cast is the one with this slot
 };

@@ -17,8 +17,8 @@ struct CastingRules {
     double stick_reach{};
     double gentle_below{};    ///< mean force below which a stroke is gentle (N)
     double harsh_from{};      ///< mean force at or above which a stroke is harsh (N)
-    double harsh_strength{};  ///< strength of a harsh spell, relative to a gentle one
-    double harsh_cost{};      ///< focus that a harsh spell costs, relative to a gentle one
+    double harsh_strength{};  ///< strength of a harsh (forcefully drawn) spell, relative to a gentle one
+    double harsh_cost{};      ///< focus that a harsh (forcefully drawn) spell costs, relative to a gentle one
     Tick shortest{};          ///< duration below which a stroke is not read (ticks)
     double smallest{};        ///< arc length below which a stroke is not read (m)
     // Rules of casting without a button, in which a gesture ends where the hand comes to rest.

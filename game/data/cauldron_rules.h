@@ -11,8 +11,8 @@
 
 namespace thaum::game::inline data {
 
-/// How an ingredient lies in its niche and in a hand. Each shape is different, so that ingredients are
-/// recognised without their colour.
+/// How an ingredient lies in its niche, where players get it, and in a hand. Each shape is different, so that
+/// ingredients are recognised without their colour.
 enum class IngredientShape : std::uint8_t { heap, crystals, ingots, drops, feathers, cloud, cushion };
 inline constexpr std::size_t ingredient_shapes = 7;
 

@@ -65,8 +65,8 @@ struct HitKind {
     std::optional<FixedNumbers> fixed{};
 };
 
-/// A kind of event that the source which records it registers, so that no other source names it. A row in
-/// assets/events.toml says how it is shown.
+/// Registration of a kind of event by the source that records it, so that no other source names the kind. A
+/// row in assets/events.toml says how it is shown.
 class EventRegistration {
 public:
     /// Registers the kind when the program starts. The program chooses its numbers, so `info.cause_number` is

@@ -196,7 +196,8 @@ void check_bowl(const ConfigTable& arena, const MatchData& data) {
             return solid.report("shape", text("the bowl holds no brew: ", brew.error().message));
 }
 
-/// Loads the rules of the cauldron. `arena`: the arena's file, whose niches and bowl the rules must suit.
+/// Loads the rules of the cauldron. `arena`: the arena's file, whose bowl and niches (places of ingredients)
+/// the rules must suit.
 void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& loader) {
     data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
     if (!loader.is_sound("cauldron.toml")) return;

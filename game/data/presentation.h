@@ -118,7 +118,7 @@ struct SpellPresentation {
     std::string gesture{};  ///< name of the gesture that casts it
     /// Wand key that casts the spell while the button Trace is held, 0 to wand_slots - 1.
     std::uint32_t slot{};
-    double focus{};  ///< focus that a gentle cast costs
+    double focus{};  ///< focus (what spells cost) that a gentle cast takes
 };
 /// Reads what is seen, heard and felt, from the tables `look` and `event` of the spell's data file.
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell);
@@ -147,7 +147,7 @@ struct MissingName {
 /// One line on a missing name.
 std::string line_of(const MissingName& missing);
 
-/// Data file that defines how a kind of event is shown: events.toml, or that of the wand whose hit it is.
+/// Data file that defines how a kind of event is shown: events.toml, or the file of the wand whose hit it is.
 std::string file_of_event(EventKind kind);
 
 /// Table that defines how a kind of event is shown: "bolt_hit", or "event.bolt_hit" in a wand's file.

@@ -157,7 +157,7 @@ struct VolumeLabInput {
     vec3 target{};       ///< target position of the hand (m)
     bool carve = false;  ///< true: the tool is held
     std::size_t tool{};  ///< index into VolumeLab::data.tools
-    int history = 0;     ///< undo and redo: -1: undo, 1: redo, 0: neither
+    int history = 0;     ///< step in the history of changes: -1 undo, 1 redo, 0 neither
     std::optional<VolumeLabSettings> change{};
 };
 
@@ -236,7 +236,7 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input);
 /// The volume in its present state, for saving: densities as floats if it was edited, otherwise as read.
 field::Volume volume_now(const VolumeLab& lab);
 
-/// Hash of the state of body, hand and servo.
+/// Hash of the state of body, hand and servo (the computation of the force).
 std::uint64_t lab_hash(const VolumeLab& lab);
 
 }  // namespace thaum::game::inline lab

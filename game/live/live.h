@@ -33,7 +33,7 @@ enum class SeatKind : std::uint8_t {
     dummy,  ///< the practice dummy, which is the opponent on the range
 };
 
-/// Request of a seat for a real force-feedback arm.
+/// Request of a seat (a player's place) for a real force-feedback arm.
 struct ArmWish {
     /// number of the arm in input::arm_places(); std::nullopt: the first one that is free and opens
     std::optional<std::size_t> number{};
@@ -77,7 +77,7 @@ struct LiveReport {
     std::uint64_t inputs{};
 };
 
-/// One line on how well a real arm's servo thread kept time.
+/// One line on how well a real arm's servo thread, which computes its force, kept time.
 std::string told(const input::TickReport& arm);
 
 /// A replay that a session shows instead of a match.
@@ -127,7 +127,7 @@ struct LivePlan {
     std::optional<double> seconds{};
     Stall stall{};
     /// true: the session measures its own timing. It moves player 1's mouse by synthetic events, leaves the
-    /// cursor free and plays on without the focus.
+    /// cursor free and plays on when the window has lost the focus.
     bool probe = false;
     LiveReport* report = nullptr;  ///< receives the timing at the end; null: not wanted
 };

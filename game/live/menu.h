@@ -51,8 +51,8 @@ public:
     bool has_seat(int place) const;
     /// Repeats a direction that is held, if the repetition is due.
     void repeat(std::int64_t now_ns);
-    /// Ends the repetition of a held direction. Call it when the focus is lost: the release will not be
-    /// reported.
+    /// Ends the repetition of a held direction. Call it when the window has lost the focus: the release will
+    /// not be reported.
     void release() { held_ = {}; }
 
     /// Returns what the menu last asked of the session, such as to start a match, and forgets it. While such
@@ -70,8 +70,8 @@ public:
     bool sets_up_pad() const { return is_open() && state_.pages.back().page == page_name::pad_setup; }
 
     // The next functions tell the menu what is new.
-    /// Names of joysticks that are not known as pads and of pads that were set up by hand, and a line for
-    /// each joystick that cannot be used.
+    /// Tells the menu the names of joysticks that are not known as pads, the names of pads that were set up
+    /// by hand, and a line for each joystick that cannot be used.
     void tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
                      std::vector<std::string> faults);
     /// Shows the question for one control in the set-up of a joystick. `needed`: the control cannot be

@@ -47,8 +47,8 @@ inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long 
 /// is skipped if that place is nearer than this, so that repeated jumps lead to ever earlier kills.
 inline constexpr Tick same_kill = 1000;
 
-/// The viewer's choices after an action by a key (`deed`). `length`: ticks of the log; `kills`: those known,
-/// by rising tick.
+/// The viewer's choices after an action by a key (`deed`). `length`: ticks of the log; `kills`: the kills
+/// that are known, sorted by tick.
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const Kill> kills);
 
 /// Requests of the main thread to the simulation thread that shows a replay.

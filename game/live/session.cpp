@@ -227,7 +227,7 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     carry_out_request();
 }
 
-/// Pauses when the focus is lost for long. A session that measures its own timing plays on.
+/// Pauses when the window has lost the focus for long. A session that measures its own timing plays on.
 void LiveSession::pause_without_focus(std::int64_t now_ns) {
     const auto person = first_person(shared_.seats);
     if (plan_.probe || !person || !shared_.ready || !focus_.lasts(now_ns)) return;

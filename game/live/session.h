@@ -133,9 +133,9 @@ private:
     FocusLoss focus_{};
     RoundEnd round_end_{};
     bool restarts_ = false;         ///< true: the menu has asked to begin the match again once it has ended
-    bool paused_by_focus_ = false;  ///< true: the lost focus is the reason of the pause
+    bool paused_by_focus_ = false;  ///< true: the window's lost focus is the reason of the pause
     Pads pads_{};                   ///< states of the pads at the last look
-    std::vector<input::ProfileData> profile_{};  ///< gestures that the persons at the seats recorded
+    std::vector<input::ProfileData> profile_{};  ///< gestures that persons among the players recorded
     /// trials of effects for the mixer's page (strengths of all that is felt); std::nullopt: nothing is felt
     /// on the body
     std::optional<BodyTrial> trial_{};

@@ -76,7 +76,7 @@ struct MenuContext {
                                ///< Apprentice)
     bool first_start = false;  ///< true: the start screen offers the lessons on the practice range first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
-    std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can
+    std::string missing{};     ///< why the pause cannot end (whose pad is not plugged in); empty: it can
     std::string half_for{};    ///< player who may go on with half of the keyboard; empty: nobody
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
     std::array<std::string, players>
@@ -84,8 +84,8 @@ struct MenuContext {
     std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
     std::vector<FeelProfile> profiles{};  ///< profiles (sets of strengths) that players have saved on the
-                                          ///< mixer's page
-    /// Kinds of effect on the body that exist, such as blasts; each gets a setting of its strength (fader) on
+                                          ///< profiles (sets of strengths) that players have saved on the
+                                          ///< mixer's page (strengths of all that is felt)
     /// the mixer's page.
     std::vector<tactile::Purpose> body{};
     std::vector<std::string>
@@ -133,8 +133,8 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages of the menu, the shown page last; empty: the menu is closed
     std::array<std::optional<Device>, players> seats;
-    /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since
-    /// such a choice is often made again.
+    /// Row at which the next pause opens. It is the row of a gesture that was drawn or forgotten, since
+    /// players often do that several times.
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< chosen entries: indices into lists of MenuContext

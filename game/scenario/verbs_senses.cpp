@@ -54,7 +54,7 @@ int verb_senses(lua_State* lua, void* context) {
     return 0;
 }
 
-/// Number of the layout named by the second argument; by default that of the figure in the view.
+/// Number of the layout named by the second argument; by default that of the body's figure in the view.
 std::size_t read_layout(lua_State* lua, const PlaySenses& senses) {
     if (lua_isnoneornil(lua, 2)) return 0;
     const auto name = arg::string(lua, 2, "a layout");

@@ -40,8 +40,9 @@ struct Blast {
     double charge{};
     Tick dies_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< handle of the shooter's body in the physics
-    /// 1: the shooter held the Lens at the shot, so shields absorb none of the ball's harm
+    std::uint32_t shooter{};  ///< number of the shooter's body in the physics
+    /// 1: the shooter held the Lens (reward for carving) at the shot, so shields absorb none of the ball's
+    /// harm
     std::uint32_t lens{};
     std::uint32_t spare{};
     THAUM_COMPONENT(Blast, position, velocity, charge, dies_at, player, shooter, lens, spare);

@@ -33,7 +33,7 @@ struct Bolt {
     vec3 velocity{};  ///< velocity of the bolt (m/s, world)
     Tick dies_at{};
     std::uint32_t player{};
-    /// handle of the shooter's body in the physics, which the bolt passes through
+    /// number of the shooter's body in the physics, which the bolt passes through
     std::uint32_t ignores{};
     THAUM_COMPONENT(Bolt, position, velocity, dies_at, player, ignores);
 };

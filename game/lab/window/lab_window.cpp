@@ -50,8 +50,8 @@ struct LabSession {
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
     bool stirring = false, turning = false, pouring = false;
     int pours_due = 0;  ///< presses of the pour key since the last step
-    /// true: the brew must start anew; the lab must end; the bowl has changed, so its picture must be built
-    /// again
+    /// true: the brew must start anew (wants_reset); the lab must end (leaves); the bowl has changed, so its
+    /// picture must be built again (bowl_changed)
     bool wants_reset = false, leaves = false, bowl_changed = false;
     double height{};  ///< height of a stirring ladle above the level surface (m), <= 0
     /// Position of the ladle, also while it is out of the brew (m, basin frame)

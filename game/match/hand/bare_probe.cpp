@@ -8,8 +8,8 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Surfaces are searched in a sphere around the line from the hand's proxy to the wand's tip. The sphere
-/// reaches this much beyond the line (m), more than any motion of the tip in a tick.
+/// Surfaces are searched in a sphere around the line from the hand's proxy, which stops at surfaces, to the
+/// wand's tip. The sphere reaches this much beyond the line (m), more than any motion of the tip in a tick.
 constexpr double margin = 0.15;
 /// Displacement of the device frame in one tick above which the wizard was moved by a jump, such as a return
 /// to life, and did not walk (m).

@@ -165,8 +165,8 @@ void TactileScene::feel_own(const Simulation& match) {
     }
 }
 
-/// If the foe holds both Azoth and the Lens, and so is about to win, the player feels a heartbeat, which
-/// becomes faster the longer the foe holds them.
+/// If the foe holds both Azoth and the Lens (two rare things), and so is about to win, the player feels a
+/// heartbeat. It becomes faster the longer the foe holds them.
 void TactileScene::feel_foes_work(const Simulation& match) {
     const auto& world = match.world();
     if (!match.data().crystal || world.count<GreatWork>() == 0) return;

@@ -23,8 +23,8 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
 /// Pouch, the component that holds the ingredient, enters the World only after the tick.
 using Takers = std::array<bool, players>;
 
-/// Gives the ingredient that lies in the niche at `place` to the nearest wizard in reach whose hands are
-/// empty.
+/// Gives the ingredient that lies in the niche (a place of ingredients) at `place` to the nearest wizard in
+/// reach whose hands are empty.
 void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers& takers) {
     auto& world = context.world;
     const auto& rules = *context.data.cauldron;
@@ -85,9 +85,9 @@ void refuse_second(MatchContext& context, Tick tick) {
         });
 }
 
-/// Returns the carried ingredient to the nearest of its niches, where it becomes available only later. So a
-/// wizard at that niche does not pick it up again at once. A wizard at another niche can pick up that niche's
-/// ingredient.
+/// Returns the carried ingredient to the nearest of its niches (places of ingredients), where it becomes
+/// available only later. So a wizard at that niche does not pick it up again at once. A wizard at another
+/// niche can pick up that niche's ingredient.
 void put_away(MatchContext& context, ecs::Entity e, std::uint32_t player, vec3 body, const Pouch& pouch,
               Tick tick) {
     Niche* home = nullptr;

@@ -21,8 +21,8 @@ bool within_reach_of_crystal(const MatchData& data, const Crystal& crystal, vec3
 /// Pose of the device frame of a hand that carves (world).
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station);
 
-/// Sets the haptic primitives of the crystal in a wizard's haptic model, for one tick. The wizard must have a
-/// Chisel. Reads Chisel, AtStation, Crystal and CrystalDensity.
+/// Sets the haptic primitives (simple forces) of the crystal in a wizard's haptic model, for one tick. The
+/// wizard must have a Chisel. Reads Chisel, AtStation, Crystal and CrystalDensity.
 void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model);
 

@@ -76,8 +76,7 @@ void reserve_voxels(ecs::World& world) {
     world.reserve_blob<CrystalColour>(crystals * crystal_voxels * sizeof(field::Rgb8));
 }
 
-/// Point where the density is that of the surface, on the line from `from`, which is outside, to `to`, which
-/// is inside.
+/// Point on the line from `from` (outside) to `to` (inside) at which the density is that of the surface.
 vec3 bisected(const field::Grid& grid, vec3 from, vec3 to) {
     for (int i = 0; i < 24; ++i) {
         const vec3 middle = 0.5 * (from + to);

@@ -34,9 +34,9 @@ void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
 /// list of modes has changed, all modes start anew.
 void refit_modes(const OrbRules& before, const OrbRules& current, WornModes& modes);
 
-/// Fills in the haptic primitives of a hand that scries, for one tick of play. They belong to the active
-/// modes at the place that the proxy (the hand's point in the orb) had in the last tick. The wizard must
-/// scry. A hand that draws a curve gets none. Reads Scrying, AtStation, WornModes and Orb.
+/// Fills in the haptic primitives (simple forces) of a hand that scries, for one tick of play. They belong to
+/// the active modes at the place that the proxy (the hand's point in the orb) had in the last tick. The
+/// wizard must scry. A hand that draws a curve gets none. Reads Scrying, AtStation, WornModes and Orb.
 void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
               haptics::HapticModel& model);
 
