@@ -41,8 +41,8 @@ struct CastingRules {
     double free_loop{};
     double free_stop{};  ///< duration of a pause within a gesture from which on the gesture may be two
                          ///< movements (s)
-    /// Share of a gesture's duration that a pause within it must reach, besides free_stop, to make it two
-    /// movements.
+    /// Share of a gesture's duration that a pause in it must also reach, besides the time free_stop, to make
+    /// the gesture two movements.
     double free_stop_share{};
     /// Probability from which on the player is told of a gesture that almost cast a spell, 0 to 1.
     double free_near_probability{};

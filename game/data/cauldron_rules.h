@@ -28,7 +28,7 @@ struct Ingredient {
 struct LadleRules {
     double radius{};           ///< radius of the ball of fluid that the ladle carries along (m)
     double viscous{}, form{};  ///< drag coefficients of haptics/fluid_touch.h, equations 1 to 3 (m, m^3/s)
-    double height{};           ///< length of the part that dips into the brew (m)
+    double height{};           ///< length of the part of the ladle that dips into the brew (m)
     double mass{};             ///< mass of the ladle itself (kg)
     double stiffness{};  ///< stiffness of the spring between ladle and hand, and of the bowl's wall (N/m)
     double damping{};    ///< damping of the spring between ladle and hand, and of the bowl's wall (N s/m)

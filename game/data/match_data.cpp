@@ -241,7 +241,7 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
-/// A copy of what is known so far of how the match is shown. The caller adds its part to the copy.
+/// A copy of the presentation (how the match is shown) as far as it is known. The caller adds its part to it.
 std::shared_ptr<Presentation> begun_presentation(const MatchData& data) {
     return data.presentation ? std::make_shared<Presentation>(*data.presentation)
                              : std::make_shared<Presentation>();

@@ -45,8 +45,8 @@ struct OrbRules {
     /// Width of a column of a drawn strength curve, which gets one height for each column; as a share of the
     /// plane's width.
     double column_share{};
-    /// Distance that the hand must move after the button Trace is pressed before it draws. So a press of
-    /// Trace together with a wand key, which casts a spell, draws nothing (m).
+    /// Distance that the hand must move after the button Trace is pressed before it draws (m). So a press of
+    /// Trace together with a wand key, which casts a spell, draws nothing.
     double begins{};
     std::vector<OrbMode> modes;  ///< all modes, 1 to max_orb_modes of them
 };

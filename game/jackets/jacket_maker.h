@@ -37,7 +37,7 @@ struct JacketCheck {
     bool usable{};
     std::string words{};   ///< text that follows the jacket's name in a line, with the space or colon before
                            ///< it
-    std::string advice{};  ///< what the user can do about it; empty: nothing
+    std::string advice{};  ///< advice to the user about the jacket's state; empty: none
 };
 /// Opens the jacket, leaves it silent and closes it again; reports how that went.
 JacketCheck check_by_opening(const Jacket& jacket, input::TactileOutput& output);

@@ -34,7 +34,7 @@ struct FeelPart {
     bool operator==(const FeelPart&) const = default;
 };
 
-/// Form of one kind of part of a feel, such as walls: its name, and how many numbers it has with which names.
+/// Form of one kind of part of a feel, such as walls: its name, and the count and the names of its numbers.
 struct FeelForm {
     std::string_view name{};
     std::size_t least{}, count{};  ///< how many numbers must be given at least, and how many the part has

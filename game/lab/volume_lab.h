@@ -141,8 +141,8 @@ struct VolumeLab {
     int steps_per_tick = 1;  ///< servo steps (computations of the force) in a tick; set by set_servo_rate
     /// Positions of the device's tip at the last servo steps, newest first, if a tick has several steps (m).
     std::array<vec3, max_steps_per_tick> tips{};
-    /// longest distance by which the person's move of a volume has displaced it at the tip since the last
-    /// step (m)
+    /// largest displacement at the device's tip by which the person has moved a volume since the last step
+    /// (m)
     double moved{};
     Tick tick{};
     vec3 last_dab{};       ///< position of the tool at its last use (m)

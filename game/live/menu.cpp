@@ -213,7 +213,7 @@ void LiveMenu::pad(int place, const input::PadState& before, const input::PadSta
     }
     const Device device{DeviceKind::pad, place};
     for (const auto& control : pressed_controls(before, current)) {
-        // Other controls that were pressed at the same time are ignored.
+        // While the menu waits for a control, only the first one that was pressed counts.
         if (waits_for_control()) return give_control(device, control);
         const bool start_page = on_start_page();
         const auto kind = menu_event_of(control, start_page);

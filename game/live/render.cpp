@@ -91,7 +91,7 @@ struct RenderState {
     /// of a shader is slow
     std::size_t warm_qualities = 0;
     std::int64_t next_still_ns = 0;
-    FrameTimes frame_times{};  ///< times of the last pictures, while they are shown
+    FrameTimes frame_times{};  ///< times of the last pictures, kept while the screen shows these times
 };
 
 /// The open menu as it is drawn. The match's caption has no place under a menu, so it fills an empty menu

@@ -466,8 +466,8 @@ Watch watched(const TakenSeats& seats) {
 }  // namespace
 
 /// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot against a
-/// person, and "Dummy" for the practice range's dummy. A replay has those of its log. An empty name stands
-/// for the name of the team.
+/// person, and "Dummy" for the practice range's dummy. A replay has the names in its log. An empty name
+/// stands for the name of the team.
 PlayerNames LiveSession::names() const {
     if (viewer_) return viewer_->names();
     const auto& seats = shared_.seats;

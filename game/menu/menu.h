@@ -40,7 +40,7 @@ struct MenuEvent {
         left,
         right,
         confirm,
-        other,  ///< a press of any other control: lets its device join, or starts the match
+        other,  ///< a press of a control without another meaning: lets its device join, or starts the match
         back,
         point,      ///< the mouse points at a row of the menu
         control,    ///< any control was pressed, while the menu waits for one to bind

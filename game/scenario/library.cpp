@@ -473,8 +473,7 @@ void open_coroutine(lua_State* lua) {
     wrap(lua, -1, "close", call_catcher);
 }
 
-/// Level of the long bracket that may begin with the '[' at `at`, which is its number of '='; -1 if there is
-/// none.
+/// Level (number of '=') of the long bracket that may begin with the '[' at `at`; -1 if there is none.
 int long_level(std::string_view source, std::size_t at) {
     std::size_t end = at + 1;
     while (end < source.size() && source[end] == '=') ++end;

@@ -193,7 +193,7 @@ struct FlyingMissile {
 /// All missiles, in the order of the wands.
 std::vector<FlyingMissile> missiles_of(const Play& play);
 
-/// A kind of event that is heard or felt. If it has no sound or no effect, that name is empty.
+/// A kind of event that is heard or felt, with the names of its sound and of its effect; an empty name: none.
 struct SensedKind {
     std::string_view kind, sound, tactile;
 };

@@ -51,7 +51,7 @@ public:
     PlayerLink& operator=(const PlayerLink&) = delete;
 
     Expected<void> connect(const NetAddress& address);
-    /// Sends a request as soon as the Player takes it. An earlier one that still waits is dropped.
+    /// Sends a request as soon as the Player takes it. An earlier request that still waits is dropped.
     void send(std::string request);
     /// Sends and receives what is possible at once, without waiting.
     void serve();

@@ -33,7 +33,7 @@ SoundNumber sound_of(const SoundWriting& writing, const Event& event) {
     return kind < sounds.events.size() ? sounds.events[kind] : std::nullopt;
 }
 
-/// Position of an event: its own, or that of the player to whom it happened.
+/// Position of an event: its own or, if it has none, the position of the player to whom it happened.
 vec3 place_of(const SoundWriting& writing, const Event& event) {
     const auto& info = info_of(event.kind);
     if (info.placed || event.subject >= players) return event.place;

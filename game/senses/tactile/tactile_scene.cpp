@@ -176,7 +176,8 @@ void TactileScene::feel_foes_work(const Simulation& match) {
     feel(effects_.great_work, {.strength = std::min(share, 1.0), .key = work_key}, match.now());
 }
 
-/// Sounds are felt only when no event is: they are silent for a moment after each event.
+/// Lets the player feel sounds. For a moment after each event they are silent, so that only the event is
+/// felt.
 void TactileScene::feel_sound(Tick now) {
     constexpr double least = 1.0 / 256;  // smallest strength that is played; less starts no motor
     const bool quiet = now < quiet_until_ && quiet_until_ - now <= quiet_after_event;
