@@ -14,10 +14,10 @@
 
 namespace thaum::game::inline app {
 
-/// Runs the command that the first word names, with the other words, or the command play if the first word is
-/// an option or missing. A command of Thaum that this program does not have is left to the program `others`
-/// in the same folder; if `others` is empty, there is no such command. `help` and --version are answered
-/// here. Returns the exit code.
+/// Runs the command that the first word names, with the other words. If there is no first word or it is an
+/// option, runs the command play. A command of Thaum that this program does not have is left to the program
+/// `others` in the same folder; if `others` is empty, there is no such command. `help` and --version are
+/// answered here. Returns the exit code.
 int dispatch(std::vector<std::string> words, std::string_view others);
 
 /// Replaces this process by another program of Thaum in the same folder, such as thaum-bench (exec). Returns

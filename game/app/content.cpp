@@ -88,7 +88,7 @@ private:
         if (!read) add(read.error());
     }
 
-    /// Loads each arena with the usual rule set and match length, and the first arena also with every other
+    /// Loads each arena with the usual rule set and match length. Loads the first arena also with every other
     /// rule set and every other length. `faults_of_names`: faults in arenas' names, which are not reported a
     /// second time.
     void read_matches(std::span<const std::string> faults_of_names) {

@@ -11,7 +11,7 @@ struct ContentReport {
     std::size_t files{};                ///< number of files in the folder, without those that nothing reads
     std::vector<std::string> faults{};  ///< one line for each fault: file, line, key, what is wrong, what is
                                         ///< allowed
-    /// One line for each thing with which the game can be played, but which is probably a mistake.
+    /// One line for each probable mistake with which the game can be played all the same.
     std::vector<std::string> notes{};
 };
 

@@ -19,7 +19,7 @@ using Names = std::vector<std::string_view>;
 
 constexpr std::size_t longest_shown = 200;
 
-/// Which files a folder may hold.
+/// Rule for the files that a folder may hold.
 struct FolderRule {
     Names endings;                     ///< allowed endings of the folder's files
     std::vector<std::string> names{};  ///< allowed names without ending; empty: any name

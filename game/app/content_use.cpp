@@ -104,8 +104,8 @@ void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) 
 }
 
 /// Notes a potion that is half of the Great Work (two things that win a round if held together), in an arena
-/// without a crystal, where the other half cannot be had. An arena without an orb is not noted: the orb only
-/// tells players sooner in which order the ingredients of such a potion must go in.
+/// without a crystal. There the other half cannot be had. An arena without an orb is not noted: the orb only
+/// tells players sooner the order of such a potion's ingredients.
 void note_half_work(const MatchData& reading, std::vector<MissingName>& notes) {
     if (std::ranges::any_of(reading.arena.things, is_crystal)) return;
     for (const auto& recipe : reading.recipes)

@@ -8,10 +8,10 @@
 
 namespace thaum::game::inline app {
 
-/// What was found, each entry with the key that it is about.
+/// Findings about data that cannot be used. Each entry has the key that it is about.
 struct UseFindings {
     std::vector<MissingName> faults;  ///< faults that the game cannot work with
-    std::vector<MissingName> notes;   ///< the game plays without it, but it is probably not meant
+    std::vector<MissingName> notes;   ///< probable mistakes with which the game can be played all the same
 };
 
 /// Checks the data of matches, which must be free of reading errors. Every arena must appear at least once.

@@ -15,7 +15,7 @@ struct OffscreenDuel {
     DataChoice data{};
     std::uint64_t seed = 1;
     std::array<int, players> levels{1, 1};
-    /// longest simulated time (s). The duel ends earlier when the match is over; the log then holds half a
+    /// longest simulated time (s). The duel ends earlier when the match is over. The log then holds half a
     /// second more (log_after_end), so that a replay shows how the match ends.
     double seconds = 60;
 };

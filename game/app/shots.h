@@ -53,7 +53,8 @@ private:
     std::vector<std::filesystem::path> unconfirmed_{};
 };
 
-/// What is heard and felt, as the live view shows it. Null after an error, which is printed in one line.
+/// Makes the object that computes what is heard and felt, as the live view shows it. Null after an error,
+/// which is printed in one line.
 std::unique_ptr<Senses> senses_of(const MatchData& data, const std::filesystem::path& assets);
 /// The HUD of a player who has changed no setting.
 HudSettings hud_of(const Playback& playback);

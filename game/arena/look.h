@@ -52,10 +52,10 @@ struct ArenaLook {
     Tint fog{0x5A4274};
     double fog_density{0.0105};                        ///< density of the fog (1/m)
     Tint above{0x8078CC, 0.85}, below{0x5C4254, 0.8};  ///< light of the sky, and light from the ground
-    bool merlons = true, pilasters = true;  ///< true: the outer walls have merlons; true: they have pilasters
-    double lamp_height{3.4};                ///< height of the lamps on the outer walls (m, world)
-    std::vector<vec3> lamps;                ///< positions of lamps besides those on the outer walls (m,
-                                            ///< world)
+    bool merlons = true, pilasters = true;             ///< whether the outer walls have merlons and pilasters
+    double lamp_height{3.4};                           ///< height of the lamps on the outer walls (m, world)
+    std::vector<vec3> lamps;  ///< positions of lamps besides those on the outer walls (m,
+                              ///< world)
     std::vector<BannerLook> banners;
     std::vector<TowerLook> towers;
     MenuCameraLook menu_camera;

@@ -24,7 +24,7 @@ std::string line_of(const ConfigTable& table, std::string_view key) {
     return place.substr(place.rfind(':') + 1);
 }
 
-/// Half the size of a ramp's mesh, and the horizontal vector `up` along which the ramp rises; the dot product
+/// Half the size of a ramp's mesh, and the horizontal vector `up` along which the ramp rises. The dot product
 /// of `up` and an offset from the mesh's middle is -1 at the low edge and 1 at the high edge.
 struct Slope {
     vec3 half{0}, up{0};

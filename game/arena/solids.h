@@ -25,8 +25,8 @@ struct BowlSize {
 /// axis at half the height.
 physics::TriangleMesh bowl(const BowlSize& size);
 
-/// Profile of the bowl as points (radius, y) in m: first the outside from the middle of the foot up to the
-/// rim, then the inside down to the middle of the floor.
+/// Profile of the bowl as points (radius, y) in m. It first follows the outside from the middle of the foot
+/// up to the rim, then the inside down to the middle of the floor.
 std::vector<vec2> bowl_profile(const BowlSize& size);
 
 }  // namespace thaum::game::inline arena

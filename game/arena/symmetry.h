@@ -5,8 +5,8 @@
 
 namespace thaum::game::inline arena {
 
-/// How an entry of an arena's file is placed a second time: not at all, as its mirror image at -z (`mirror`),
-/// or turned by 180 degrees about the vertical axis through the origin (`turned`).
+/// How an entry of an arena's file is placed a second time. none: not at all; mirror: as its mirror image at
+/// -z; turned: turned by 180 degrees about the vertical axis through the origin.
 enum class Symmetry : std::uint8_t { none, mirror, turned };
 
 /// Reads the keys `mirror` and `turned` of an entry in an arena's file. Both true is an error.

@@ -25,8 +25,8 @@ bool worth_a_shot(const Self& self, const Seat& seat, const Mind& mind) {
     return self.can_shoot && distance < seat.skill.range && (near || self.energy_share > seat.skill.reserve);
 }
 
-/// Returns this tick's equal share of `left`, the mouse counts that the bot has still to give before its next
-/// gameplay tick, and subtracts it from `left`.
+/// Returns this tick's equal share of `left`, and subtracts it from `left`. `left`: mouse counts that the bot
+/// has still to give before its next gameplay tick.
 std::int32_t take_share(std::int32_t& left, Tick ticks_left) {
     const auto part = left / static_cast<std::int32_t>(ticks_left);
     left -= part;
@@ -80,8 +80,8 @@ bool seen_within(const Mind& mind, double duration, Tick tick) {
 /// Holds fire until the wand is charged, or drawn like a bow, as far as wanted and the view has reached its
 /// aim. Then releases fire.
 void ready_and_let_go(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
-    // The bot lets go when at most this much is missing of the wanted charge, or of the wanted draw of a wand
-    // that is drawn like a bow (0 to 1).
+    // The bot lets go when the charge, or the draw of a wand like a bow, is at most this much below the
+    // wanted value (both 0 to 1).
     constexpr double enough = 0.04;
     const bool arc = self.shot.fall > 0;
     const bool knows = seen_within(mind, arc ? 1.4 : 0.3, tick);

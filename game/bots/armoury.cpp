@@ -37,7 +37,7 @@ bool hidden(const Mind& mind, Tick tick) {
            tick < mind.foe_seen_at + ticks(1.2);
 }
 
-/// How far to draw a wand (like a bow) before a throw over this distance, 0 to 1; the farther it is drawn,
+/// How far to draw a wand (like a bow) before a throw over this distance, 0 to 1. The farther it is drawn,
 /// the faster the missile. The throw is 1.5 times as fast as the slowest throw that reaches the foe, so that
 /// it is flat. Over cover it is only 1.05 times as fast.
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {

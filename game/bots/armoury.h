@@ -5,8 +5,8 @@
 
 namespace thaum::game::inline bots {
 
-/// Selects the wand that the bot has chosen (mind.wand): if another one is in hand, releases fire and presses
-/// the key of the chosen one. Returns true if the chosen wand is in hand.
+/// Selects the wand that the bot has chosen (mind.wand). If another wand is in hand, releases fire and
+/// presses the key of the chosen one. Returns true if the chosen wand is in hand.
 bool in_hand(const Self& self, Mind& mind);
 
 /// Chooses from time to time a wand (mind.wand) and how far to charge or draw it (mind.readiness), and

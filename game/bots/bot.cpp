@@ -16,7 +16,7 @@
 #include "game/bots/swinging.h"
 #include "game/bots/turn.h"
 
-// Bots act in every gameplay tick, which is every 8 ms: a bot looks, chooses an aim and a way, and spreads
+// Bots act in every gameplay tick, which is every 8 ms. A bot looks, chooses an aim and a way, and spreads
 // its turn over the ticks until the next gameplay tick.
 namespace thaum::game::inline bots {
 namespace {
@@ -178,7 +178,7 @@ vec3 choose_way(const BotTurn& turn) {
 }
 
 /// Direction in which the bot leaves a place outside of the large connected regions of walkable ground
-/// (WalkGrid), once it has stood there for a while; zero before.
+/// (WalkGrid). It is zero until the bot has stood at such a place for a while.
 vec3 way_out(const BotTurn& turn) {
     const auto& self = turn.self;
     const auto& grid = turn.grid;

@@ -77,7 +77,7 @@ struct BotSkill {
     double spark_below{};    ///< share of the wand's energy below which the bot fetches energy (a spark)
     double reserve{};        ///< share of the energy that the bot keeps for a near foe
     double cover_below{};    ///< health below which the bot hides if there is nothing to fetch (HP)
-    /// Share of the choices of a wand in which the bot takes a slow one: one that must be charged or drawn
+    /// Share of the choices of a wand in which the bot takes a slow one, which must be charged or drawn
     /// before it shoots.
     double variety{};
     double charge{};      ///< largest charge of a slow wand, or draw of one drawn like a bow, 0 to 1

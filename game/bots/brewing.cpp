@@ -43,7 +43,8 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
 /// Whether a straight way to a niche (a place of ingredients) passes no other niche that holds an ingredient.
 bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     const auto& match = turn.match;
-    // Margin to the other niche, so that the bot does not pick up what lies there (m)
+    // Margin to the other niche (a place of ingredients), so that the bot does not pick up what lies there
+    // (m)
     constexpr double room = 0.5;
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
@@ -53,9 +54,9 @@ bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     return free;
 }
 
-/// Place to walk to for a niche (a place of ingredients): the niche itself, or a place beside it if another
-/// niche lies on the way. A wizard who walks over a niche takes the ingredient there, so the bot must avoid
-/// the other one.
+/// Place to walk to for a niche (a place of ingredients). It is the niche itself, or a place beside it if
+/// another niche lies on the way. A wizard who walks over a niche takes the ingredient there, so the bot must
+/// avoid the other one.
 vec3 way_to_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     if (passes_no_niche(turn, from, niche)) return niche;
     const auto& grid = turn.grid;
@@ -130,8 +131,8 @@ std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& r
     const auto* pouch = match.world().find<Pouch>(wizard);
     std::uint32_t chosen = no_potion, count = 0;
     for (std::uint32_t i = 0; i < data.recipes.size(); ++i) {
-        // A recipe with an order drawn at random belongs to the Great Work (to win a round by holding two
-        // rare things), which these bots do not try.
+        // A recipe with a random order belongs to the Great Work (to win a round by holding two rare things).
+        // These bots do not try it.
         const auto& recipe = data.recipes[i];
         const bool acts = match.world().get<Potions>(wizard).until.at(i) != 0;
         const bool fits = pouch == nullptr || recipe.ingredients.front().ingredient == pouch->ingredient;

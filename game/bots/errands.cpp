@@ -5,7 +5,7 @@
 
 // The worth of a power-up to a bot is the bot's need for health or energy that it gives, divided by the time
 // to get there. While the bot sees the foe and can shoot, the worth is multiplied by `in_a_fight`. So during
-// a fight a power-up must be worth about twice as much.
+// a fight a bot fetches a power-up only if it is worth about twice as much as at other times.
 namespace thaum::game::inline bots {
 namespace {
 

@@ -45,13 +45,13 @@ public:
     /// Whether the cell is in one of the large regions of connected walkable cells. The top of a block is in
     /// none, nor is a cell that a thing fills in part.
     bool in_large_region(int cell) const { return in_large_region_[static_cast<std::size_t>(cell)] != 0; }
-    /// The neighbour of `cell` that is in a large region, at most a step above the feet, and nearest to them
-    /// in distance and height; `cell` itself if there is none.
+    /// The neighbour of `cell` that is in a large region and at most a step above the feet. Of several, the
+    /// one nearest to the feet in distance and height; `cell` itself if there is none.
     int nearest_way(int cell, vec3 feet) const;
     /// Whether the straight line between two places, a few metres at most, can be walked.
     bool straight(vec3 from, vec3 to) const;
     /// Whether the straight line between two places, a few metres at most, leads over walkable ground and
-    /// over an edge below which the ground lies deeper by more than hurtful_drop.
+    /// over an edge. The ground below such an edge lies deeper by more than hurtful_drop.
     bool over_edge(vec3 from, vec3 to) const;
 
 private:

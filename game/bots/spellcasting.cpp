@@ -19,7 +19,7 @@ constexpr Tick after_thing = ticks(20.0);    ///< minimum time from calling one 
 /// Time for which the button Trace is held before and after the stroke itself.
 constexpr Tick pause = ticks(0.03);
 constexpr Tick recent = ticks(1.2);    ///< time for which the bot counts as under fire after a hit
-constexpr Tick in_sight = ticks(0.3);  ///< time since a look at the foe for which it counts as in sight
+constexpr Tick in_sight = ticks(0.3);  ///< time after a look at the foe for which the foe counts as in sight
 constexpr double pushed_way = 2.5;   ///< distance that a push moves a foe (m); an edge within it makes a push
                                      ///< worthwhile
 constexpr double harsh_force = 1.9;  ///< mean force of a harsh stroke (N)
@@ -57,8 +57,8 @@ SpellOccasion occasion_of(const BotTurn& turn) {
             .thing_distance = distance_of_last_thing(match, wizard, self.eye)};
 }
 
-/// Index of the spell that is worth most to the bot, among those for which it has enough focus (what wizards
-/// spend on spells); the number of spells if there is none.
+/// Index of the spell that is worth most to the bot, of those for which it has enough focus (what spells
+/// cost); the number of spells if there is none.
 std::size_t best_spell(const BotTurn& turn, const SpellOccasion& occasion, double cost) {
     const auto& world = turn.match.world();
     const auto& spells = turn.match.data().spells;

@@ -17,15 +17,15 @@ constexpr double half_gap = 4;
 constexpr double level_ground = 0.3;  ///< largest height difference between take-off and landing (m)
 constexpr double deep = 1.5;          ///< least depth of a gap (m); the bot walks through a shallower one
 constexpr double knee = 0.9;          ///< height above the feet at which nothing may be in the way (m)
-/// A ray from the take-off towards the rope's anchor meets the anchor itself if it ends within this distance
-/// of it; otherwise something is in the way (m).
+/// A ray from the take-off towards the rope's anchor counts as meeting the anchor itself if it ends within
+/// this distance of it (m). Otherwise something is in the way.
 constexpr double near_anchor = 0.5;
 constexpr double walk_to_edge = 7;  ///< largest distance that the bot walks to the edge (m)
 constexpr double at_edge = 0.5;  ///< distance from the edge at which the bot counts as having reached it (m)
 constexpr double costs_as = 9;   ///< walking distance that takes as long as a swing (m)
 constexpr double let_go_past = 2.2;  ///< distance beyond the rope's anchor at which the bot lets go (m)
-/// The bot fires when its aim is this near to the anchor, the point for its rope, as a share of the largest
-/// angle at which the rope still attaches.
+/// Largest angle between aim and anchor (the point for the rope) at which the bot fires, as a share of the
+/// largest angle at which the rope attaches.
 constexpr double aim_share = 0.7;
 constexpr double energy_needed = 20;
 constexpr double min_health = 35;  ///< least health for a swing (HP): a fall into the gap must not kill
@@ -73,8 +73,8 @@ void end_swinging(const BotTurn& turn) {
     turn.swing_plan.not_before = turn.tick + again_after;
 }
 
-/// Selects the rope's wand, and presses fire when the crosshair is so near the anchor, the point for the
-/// rope, that the rope attaches to it.
+/// Selects the rope's wand. Presses fire when the crosshair is so near the anchor (the point for the rope)
+/// that the rope attaches to it.
 void latch(const BotTurn& turn, const LoadedWand& roper) {
     const auto& self = turn.self;
     auto& mind = turn.mind;

@@ -34,8 +34,8 @@ struct Brew {
 /// Makes a brew at rest without ingredients. The error names the setting that the fluid's solver rejects.
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
-/// Returns the substance of the fluid that stands for the ingredient, or else the first one that stands for
-/// none yet; std::nullopt if all stand for others.
+/// Returns the substance of the fluid that stands for the ingredient. If there is none, returns the first one
+/// that stands for no ingredient yet; std::nullopt if all stand for others.
 std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t ingredient);
 
 /// Makes a substance of the fluid stand for this ingredient from now on.

@@ -116,8 +116,8 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
 
 namespace {
 
-/// The reading that replaces that of a stroke after a key chord (a wand's key while Trace is held): the
-/// gesture of the key's spell, with probability 1.
+/// The reading that replaces the reading of a stroke after a key chord (a wand's key pressed while Trace is
+/// held). It is the gesture of the key's spell, with probability 1.
 Reading chord_reading(const MatchContext& context, const GestureSet& gestures, const Controls& controls) {
     const auto& rules = *context.data.casting;
     Reading reading;
@@ -127,12 +127,13 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
         reading.nearest = reading.stroke.gesture = *gesture;
         reading.stroke.probability = 1;
         reading.stroke.force = controls.harsh != 0 ? rules.harsh_from : rules.gentle_below / 2;
-        // A key chord has no sense of rotation, so its circle fits recipes that ask for either sense.
+        // A key chord (a wand's key while Trace is held) has no sense of rotation, so its circle fits recipes
+        // that ask for either sense.
     }
     return reading;
 }
 
-/// Casts the spell of a key chord, and records the chord's key so that the screen can show it.
+/// Casts the spell of a key chord (a wand's key while Trace is held), and records the key for the screen.
 void act_by_chord(MatchContext& context, const Caster& caster, const Reading& chord, std::uint32_t slot) {
     auto& ended = context.output.strokes.write()[caster.player];
     ended.chord_at = std::max<Tick>(caster.tick, 1);

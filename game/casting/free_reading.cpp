@@ -10,17 +10,17 @@ namespace {
 using gesture::StrokePoint;
 
 /// Number of points at rest after which the end of the windows (parts of the motion that are tried as a
-/// gesture) is fixed: later motion does not belong to the gesture.
+/// gesture) is fixed. Later motion does not belong to the gesture.
 constexpr std::uint32_t points_to_end = 4;
 /// A window is a part of the motion that is tried as a gesture. Number of windows read per gameplay tick, arc
 /// length of the shortest window (m), and ratio of each window's length to the next shorter one.
 constexpr std::uint32_t windows_per_tick = 9;
 constexpr double first_length = 0.02, window_ratio = 1.05;
-/// Number of points just before a window (the part that is tried as a gesture) from which the speed before
-/// the gesture is taken (0.1 s).
+/// Number of points just before a window (the part that is tried as a gesture) that give the speed before the
+/// gesture (0.1 s).
 constexpr std::size_t points_before = 12;
-// A window (part of the motion) is scored by the logarithm of its distance from the recorded gesture, to
-// which two terms with these weights are added, as in gesture/spotter.cpp: the logarithm of (speed before the
+// A window (part of the motion) gets a score, as in gesture/spotter.cpp. It is the logarithm of the window's
+// distance from the recorded gesture, plus two terms with these weights: the logarithm of (speed before the
 // window / speed in it), and the squared logarithm of (duration / usual duration).
 constexpr double pace_weight = 0.14, duration_weight = 0.1;
 // Limits of the ratio of the hand's speed before a window (part of the motion) to the speed in it. Lower
@@ -69,8 +69,8 @@ FreeMotion motion_of(const CastingRules& rules, const FreeHand& hand, ReadingSpa
     return motion;
 }
 
-/// Index of the first point of the window (part of the motion up to its end) with this number, a longer
-/// window for a higher number; 0 if the window is longer than the motion.
+/// Index of the first point of a window (part of the motion up to its end); 0 if the window is longer than
+/// the motion. Windows with higher numbers are longer.
 std::size_t begin_of(const FreeMotion& motion, std::uint32_t window) {
     const double length = first_length * det::pow(window_ratio, window);
     const auto ways = std::span(motion.way).first(motion.points.size());
@@ -118,7 +118,7 @@ bool is_broken(const CastingRules& rules, gesture::Points stroke, double size, d
 }
 
 /// Probability that a gesture needs in order to cast its spell. Less suffices if the hand was slow before the
-/// gesture, but not for a small closed gesture: that may start anywhere, so a stray loop has many chances to
+/// gesture, but not for a small closed gesture. That may start anywhere, so a stray loop has many chances to
 /// match one.
 double needed_for(const CastingRules& rules, const gesture::GestureOptions& options, double pace,
                   double way) {

@@ -6,7 +6,7 @@ namespace thaum::game::inline command_line {
 
 /// Exit codes of every command.
 inline constexpr int done = 0;
-inline constexpr int does_not_hold = 1;  ///< what the command checked has failed its check
+inline constexpr int does_not_hold = 1;  ///< the command's check has failed
 inline constexpr int wrong_use = 2;      ///< wrong usage of the command, or wrong input
 
 /// Prints "thaum: message" to standard error and returns wrong_use.

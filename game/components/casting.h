@@ -37,8 +37,8 @@ struct DrawnStroke {
     std::uint32_t count{};
     std::uint32_t every{1};  ///< gameplay ticks (of 8 ms) between two points
     std::uint32_t waits{};   ///< gameplay ticks (of 8 ms) until the next point
-    /// 0: the stroke is read when it ends; 1: it is not read, because the ladle or the orb's probe came or
-    /// went while it was drawn; or by_chord.
+    /// 0: the stroke is read when it ends. 1: it is not read, because the ladle or the orb's probe came or
+    /// went while it was drawn. by_chord: a key chord replaces it.
     std::uint32_t over{};
     std::uint32_t on_brew{};  ///< 1: the stroke is drawn on the brew, with the ladle that stirs it
     /// 1: drawn by a wizard who searches (scries) the orb, so the stroke casts no spell

@@ -100,7 +100,7 @@ struct Cauldron {
     /// When the brew became well mixed under its present owner (ticks of play); 0: it is not well mixed.
     Tick mixed_since{};
     Tick boon_until{};  ///< tick of play at which the healing by a well-mixed brew (the boon) ends
-    std::uint32_t boon_for{no_player};  ///< player whom the boon heals
+    std::uint32_t boon_for{no_player};  ///< player whom a well-mixed brew heals (the boon)
     std::uint32_t boon_given{};         ///< 1: the present brew has already given its boon, the healing
     Tick more_time{};  ///< time by which right ingredients have delayed the spoiling of the brew (ticks)
     std::uint32_t strokes_done{};     ///< number of strokes of the recipe that were right so far
@@ -161,8 +161,8 @@ struct Niche {
 /// Ingredient carried by a wizard.
 struct Pouch {
     std::uint32_t ingredient{};
-    /// Ingredient of the niche at which the wizard stands with full hands, so that full hands are reported
-    /// once; no_ingredient: none.
+    /// Ingredient of the niche (place of ingredients) at which the wizard stands with full hands, so that
+    /// full hands are reported once; no_ingredient: none.
     std::uint32_t refused{no_ingredient};
     THAUM_COMPONENT(Pouch, ingredient, refused);
 };

@@ -57,7 +57,7 @@ struct Chisel {
     vec3 force{};             ///< force of the crystal on the hand (N, device frame turned to the world)
     vec3 last{};              ///< place of the tool when it last acted (m, crystal's frame)
     std::uint32_t cutting{};  ///< 1: the tool acts on the crystal
-    std::uint32_t blunt{};    ///< 1: the player holds fire without focus, and was told so already
+    std::uint32_t blunt{};    ///< 1: the player holds fire without focus (what tools cost), and was told so
     THAUM_COMPONENT(Chisel, place, force, last, cutting, blunt);
 };
 

@@ -42,8 +42,8 @@ struct Dice {
 };
 
 /// Kinds of event with fixed numbers, because recorded matches contain these numbers. The numbers missing in
-/// this list belong to the hits of wands. New kinds are not added to it: the source that records one
-/// registers it (game/data/event_kinds.h, which names all kinds), and it gets a number above the last one of
+/// this list belong to the hits of wands. New kinds are not added here: the source that records a new kind
+/// registers it (game/data/event_kinds.h, which names all kinds). It then gets a number above the last one of
 /// the list.
 enum class EventKind : std::uint32_t {
     none = 0,
@@ -92,15 +92,15 @@ enum class EventKind : std::uint32_t {
     work_half = 38,  ///< a wizard holds Azoth or the Lens, which held together win a round (the Great Work)
     work_lost = 39,  ///< a wizard has lost Azoth or the Lens, halves of the Great Work, by dying
     put_away = 40,   ///< a wizard has put a carried ingredient away; detail: number of the ingredient
-    /// A wizard who already carries an ingredient stands at another niche; detail: number of the niche's
-    /// ingredient.
+    /// A wizard who already carries an ingredient stands at another niche (place of ingredients); detail:
+    /// number of the niche's ingredient.
     hands_full = 41,
     caught = 42,  ///< a wand has caught a thing that flew at its wizard; amount: the thing's mass (kg)
     // From here on, kinds of event about the orb (48 to 55).
     core_near = 48,  ///< the probe of a wizard who searches (scries) the orb came near its hidden core
     core_lost = 49,  ///< the probe of a wizard who searches the orb left its hidden core
-    scried = 50,     ///< the orb gave a wizard its knowledge; amount: health given (HP)
-    unscried = 51,   ///< a wizard who searched the orb has no focus left, which this costs
+    scried = 50,     ///< the orb gave a wizard its reward; amount: health given (HP)
+    unscried = 51,   ///< a wizard at the orb has no focus left, which the search costs
     /// A wizard at the orb switched a haptic mode (a way to feel its flow) on or off; detail: its number;
     /// amount: 1 on, 0 off.
     mode_worn = 52,
@@ -112,7 +112,7 @@ enum class EventKind : std::uint32_t {
     work_begun = 59,   ///< a wizard holds Azoth and the Lens; amount: time to hold both in order to win (s)
     work_broken = 60,  ///< a wizard no longer holds both Azoth and the Lens, so wins nothing by them
     work_done = 61,    ///< a wizard has completed the Great Work, which wins the round
-    blunt = 62,        ///< a wizard who carves has no focus left, which this costs
+    blunt = 62,        ///< a wizard who carves has no focus left, which carving costs
     tool_taken = 63    ///< a wizard carves with another tool; detail: number of the tool
 };
 

@@ -41,8 +41,8 @@ struct WornModes {
     std::uint32_t told{};  ///< 1: the orb has already rewarded this wizard since the wizard's last death
     /// 1: the orb has already shown this player the orders of recipes in this match.
     std::uint32_t order_told{};
-    /// 1: focus ran out while searching the orb (scrying); the wizard must release the button Stir to scry
-    /// again.
+    /// 1: focus (what spells cost, too) ran out while searching the orb (scrying); the wizard must release
+    /// the button Stir to scry again.
     std::uint32_t spent{};
     std::uint32_t version{};  ///< number of changes of the haptic modes and their curves so far
     THAUM_COMPONENT(WornModes, worn, strength, told, order_told, spent, version);

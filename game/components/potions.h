@@ -13,7 +13,7 @@ inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
 inline constexpr std::size_t max_potions = 8;
 inline constexpr std::size_t max_recipe_ingredients = 3;
 
-/// Potions that act on a wizard. Health holds the state of the potions that harden or poison, and WandBelt
+/// Potions that act on a wizard. Health holds the state of the potions that harden or poison. WandBelt holds
 /// that of the potion that poisons the next lob (a missile thrown in an arc).
 struct Potions {
     /// Time at which each potion stops acting, by its number (ticks of play)
@@ -25,9 +25,9 @@ struct Potions {
     bool operator==(const Potions&) const = default;
 };
 
-/// Order in which each player must add the ingredients of recipes whose order is random, drawn from the seed
-/// once a match. order[player][i] is the place of the i-th ingredient in the recipe's list. A recipe with
-/// fewer ingredients skips the places that its list lacks.
+/// Order in which each player must add the ingredients of recipes whose order is random. It is drawn from the
+/// seed once a match. order[player][i] is the place of the i-th ingredient in the recipe's list. A recipe
+/// with fewer ingredients skips the places that its list lacks.
 struct DrawnOrders {
     std::array<std::array<std::uint32_t, max_recipe_ingredients>, players> order{};
     THAUM_COMPONENT(DrawnOrders, order);

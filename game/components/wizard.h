@@ -26,8 +26,8 @@ struct Controls {
     std::int32_t forward{};        ///< forward motion, -127 to 127; negative: backward
     std::int32_t trigger{};        ///< position of the trigger, 0 to 255
     std::int32_t wheel{};          ///< steps by which the mouse wheel was turned since the last gameplay tick
-    /// Displacement of the hand in this tick while the player works at a station, or holds one of the buttons
-    /// Clutch and Trace, which let the input move the hand instead of the view (um, device frame).
+    /// Displacement of the hand in this tick (um, device frame). The input moves the hand, instead of the
+    /// view, while the player works at a station or holds one of the buttons Clutch and Trace.
     std::int32_t hand_right{}, hand_up{}, hand_back{};
     /// Displacement of the hand from its home by a stick, while the button Trace is held (um, device frame).
     std::int32_t stick_right{}, stick_up{};

@@ -32,7 +32,7 @@ double strength_for(const MatchContext& context, std::uint32_t player) {
     return strength > 0 && plays_by_arm(context.world, player) ? 0 : strength;
 }
 
-/// Where the foe's body is, relative to the line along which the player aims.
+/// Position of the foe's body relative to the line along which the player aims.
 struct FoeBeside {
     vec3 point{};         ///< point of the axis of the foe's body that is nearest to the aim (m, world)
     double off{};         ///< angle from the aim to the nearest point of the foe's body (rad)

@@ -18,12 +18,12 @@ namespace thaum::game::inline context {
 /// which a shot is turned, at full strength (rad).
 inline constexpr double max_pull = 2 * radians_per_degree;
 
-/// What aim assist does to the view in one tick.
+/// Effect of aim assist on the view in one tick.
 struct ViewHelp {
     double turn_share{1};  ///< share of the player's own turn that aim assist leaves: 1 without help
     double left{}, up{};   ///< added turn of the view towards the foe, if the player gives any input (rad)
 };
-/// What aim assist does to the view of a wizard in this tick. Reads Wizard, Gaze, WandBelt, Dead, Arm and
+/// Effect of aim assist on the view of a wizard in this tick. Reads Wizard, Gaze, WandBelt, Dead, Arm and
 /// resource::Physics.
 ViewHelp view_help(const MatchContext& context, ecs::Entity wizard);
 

@@ -6,9 +6,9 @@
 
 namespace thaum::game::inline context {
 
-/// Condition of a player's real arm, a force-feedback device. none: the player has no arm; felt: the arm
-/// moves the hand, which feels forces; clutched: the hand rests while the arm moves freely; gone: no samples
-/// come from the arm, so mouse or gamepad move a simulated hand; back: samples come again, but the arm gives
+/// Condition of a player's real arm, a force-feedback device. none: the player has no arm. felt: the arm
+/// moves the hand, which feels forces. clutched: the hand rests while the arm moves freely. gone: no samples
+/// come from the arm, so mouse or gamepad move a simulated hand. back: samples come again, but the arm gives
 /// forces only after it was held still.
 enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
 ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);

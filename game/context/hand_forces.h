@@ -9,9 +9,9 @@ namespace thaum::game::inline context {
 /// State of a hand at the beginning of a match, with the device at rest.
 HandState empty_hand_state();
 
-/// Kicks the hand with half a sine wave: the recoil of a shot, for example. `newtons` is the peak for a
-/// device with a peak force of 3.3 N and a player who chose full force; for others it scales in proportion.
-/// `newtons` is in the device frame. Writes HandState.
+/// Kicks the hand with half a sine wave, as for the recoil of a shot. `newtons` (device frame) is the peak
+/// for a device with a peak force of 3.3 N and a player who chose full force. For others it scales in
+/// proportion. Writes HandState.
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 
 /// Kicks the hand towards the user. `share` is the peak as a share of the largest force that the player

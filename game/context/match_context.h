@@ -100,8 +100,8 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 std::optional<double> distance_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most);
 
 /// Appends an event to the journal (all events of the last seconds) and to EventLog (the last 64, part of the
-/// state), and adds it to the match statistics. The calling system must have declared that it writes EventLog
-/// and resource::Journal.
+/// state). Adds it to the match statistics. The calling system must have declared that it writes EventLog and
+/// resource::Journal.
 void record(MatchContext& context, const Event& event);
 
 /// Harm to be done to a wizard.

@@ -18,8 +18,8 @@ namespace thaum::game::inline context {
 /// Strengths of the force on a hand in the last ticks (N): a ring buffer indexed by tick.
 using ForceTrace = std::array<float, 2048>;
 
-/// The last finished stroke of a player, the last key chord (a wand's key pressed while the button Trace is
-/// held) used instead of a stroke, and their results.
+/// The last finished stroke of a player, the last key chord used instead of a stroke, and their results. A
+/// key chord is a press of a wand's key while the button Trace is held.
 struct EndedStroke {
     DrawnStroke stroke;
     Tick at{};    ///< tick of play at which the stroke ended; 0: no stroke yet
@@ -29,7 +29,7 @@ struct EndedStroke {
     Tick outcome_at{};           ///< tick of play at which the effect in `outcome` ended; 0: never
     std::string_view outcome{};  ///< how the effect of a spell ended after its cast, as a text for the wizard
                                  ///< who cast it
-    Tick chord_at{};             ///< tick of play of the last key chord; 0: none yet
+    Tick chord_at{};             ///< tick of the last key chord (a wand's key while Trace is held); 0: never
     std::uint32_t chord_slot{};  ///< slot (number) of the wand key that the last key chord pressed; the spell
                                  ///< cast is the one with this slot
 };

@@ -12,8 +12,8 @@
 namespace thaum::game::inline context {
 namespace {
 
-/// Time constant with which the view of a wizard who begins to work turns to the cauldron, orb or crystal
-/// (s): after this time, 1/e of the angle is left.
+/// Time constant of the turn of the view to the cauldron, orb or crystal at which a wizard begins to work
+/// (s). After this time, 1/e of the angle is left.
 constexpr double turning_time = 0.15;
 
 void turn_eyes(const WizardRules& rules, vec3 body, const AtStation& station, Gaze& gaze) {

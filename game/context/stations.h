@@ -8,8 +8,8 @@ namespace thaum::game::inline context {
 /// Whether a wizard works at a station (cauldron, orb or crystal). Reads AtStation.
 bool at_station(const ecs::World& world, ecs::Entity wizard);
 
-/// Whether a wizard, given by the middle of the body, is within `reach` of a station's middle (m, along the
-/// ground) and at about the same height.
+/// Whether a wizard is within `reach` of a station's middle (m, along the ground) and at about the same
+/// height. `body`: middle of the wizard's body.
 bool is_near_station(const WizardRules& rules, vec3 body, vec3 middle, double reach);
 
 /// The component AtStation of a wizard who begins to work, with body and station at these places (m, world).

@@ -42,8 +42,9 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     haptics::SurfaceBody& body = patch.bodies[patch.body_count++];
     body.position = frame.to_device(state.position);
     body.orientation = glm::conjugate(frame.turn) * state.orientation;
-    // This velocity is the mean over the tick, as seen from the device frame, which moves with the wizard. It
-    // takes the body from its place in the previous device frame exactly to its place in the present one.
+    // The velocity below is the mean over the tick, as seen from the device frame, which moves with the
+    // wizard. It takes the body from its place in the previous device frame exactly to its place in the
+    // present one.
     const vec3 was = before.to_device(state.position - tick_seconds * state.velocity);
     const bool rests = frame == before && state.velocity == vec3(0);
     body.velocity = rests ? vec3(0) : (body.position - was) / tick_seconds;

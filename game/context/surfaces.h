@@ -41,8 +41,9 @@ struct Around {
 /// entries get fixed bytes, so that a match restored from a saved state publishes the same haptic models.
 void clear_patch(haptics::SurfacePatch& patch);
 
-/// Writes the nearest surfaces around a point into the patch, as many as fit. `before` is the device frame
-/// one tick earlier. Velocities of bodies are relative to the moving frame. Allocates nothing.
+/// Writes the nearest surfaces around a point into the patch (the surfaces near a hand), as many as fit.
+/// `before` is the device frame one tick earlier. Velocities of bodies are relative to the moving frame.
+/// Allocates nothing.
 void fill_patch(haptics::SurfacePatch& patch, const physics::Physics& physics, const Around& around,
                 const HandFrame& frame, const HandFrame& before, const Feel& feel);
 

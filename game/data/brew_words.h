@@ -13,7 +13,7 @@ struct MatchData;
 /// Short name of a player's fault in brewing for tables and scenarios, such as "early"; empty for a number
 /// that stands for no fault.
 std::string_view name_of_fault(BrewFault fault);
-/// What a player did wrong and what to do instead, in one text: "Too early: stir on before the next
+/// A player's fault in brewing and the advice against it, in one text: "Too early: stir on before the next
 /// ingredient".
 std::string_view words_of_fault(BrewFault fault);
 

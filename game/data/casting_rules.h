@@ -17,8 +17,8 @@ struct CastingRules {
     double stick_reach{};
     double gentle_below{};    ///< mean force below which a stroke is gentle (N)
     double harsh_from{};      ///< mean force at or above which a stroke is harsh (N)
-    double harsh_strength{};  ///< strength of a harsh spell, relative to a gentle one
-    double harsh_cost{};      ///< focus that a harsh spell costs, relative to a gentle one
+    double harsh_strength{};  ///< strength of a harsh (forcefully drawn) spell, relative to a gentle one
+    double harsh_cost{};      ///< focus that a harsh (forcefully drawn) spell costs, relative to a gentle one
     Tick shortest{};          ///< duration below which a stroke is not read (ticks)
     double smallest{};        ///< arc length below which a stroke is not read (m)
     // Rules of casting without a button, in which a gesture ends where the hand comes to rest.
@@ -32,18 +32,17 @@ struct CastingRules {
     /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, below which the hand
     /// was slow.
     double free_quiet_pace{};
-    /// Free casting tries many parts of the hand's motion, called windows, as a gesture. If the speed of the
-    /// hand just before a window, as a multiple of its speed in the window, is above this limit, no gesture
-    /// begins there, because the hand was already moving.
+    /// Limit of the speed of the hand just before a part of its motion (a window) that is tried as a gesture,
+    /// as a multiple of the speed in the window. Above this limit no gesture begins there, because the hand
+    /// was already moving.
     double free_most_pace{};
-    /// Arc length of a closed gesture, such as a circle, below which its probability must reach
-    /// free_least_probability even if the hand was slow before it, because small loops are often drawn by
-    /// accident (m)
+    /// Arc length below which a closed gesture, such as a circle, must reach free_least_probability even if
+    /// the hand was slow before it (m). Small loops are often drawn by accident.
     double free_loop{};
     double free_stop{};  ///< duration of a pause within a gesture from which on the gesture may be two
                          ///< movements (s)
-    /// Share of a gesture's duration that a pause within it must reach, besides free_stop, to make it two
-    /// movements.
+    /// Share of a gesture's duration that a pause in it must also reach, besides the time free_stop, to make
+    /// the gesture two movements.
     double free_stop_share{};
     /// Probability from which on the player is told of a gesture that almost cast a spell, 0 to 1.
     double free_near_probability{};

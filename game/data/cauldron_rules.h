@@ -11,8 +11,8 @@
 
 namespace thaum::game::inline data {
 
-/// How an ingredient lies in its niche and in a hand. Each shape is different, so that ingredients are
-/// recognised without their colour.
+/// How an ingredient lies in its niche, where players get it, and in a hand. Each shape is different, so that
+/// ingredients are recognised without their colour.
 enum class IngredientShape : std::uint8_t { heap, crystals, ingots, drops, feathers, cloud, cushion };
 inline constexpr std::size_t ingredient_shapes = 7;
 
@@ -28,7 +28,7 @@ struct Ingredient {
 struct LadleRules {
     double radius{};           ///< radius of the ball of fluid that the ladle carries along (m)
     double viscous{}, form{};  ///< drag coefficients of haptics/fluid_touch.h, equations 1 to 3 (m, m^3/s)
-    double height{};           ///< length of the part that dips into the brew (m)
+    double height{};           ///< length of the part of the ladle that dips into the brew (m)
     double mass{};             ///< mass of the ladle itself (kg)
     double stiffness{};  ///< stiffness of the spring between ladle and hand, and of the bowl's wall (N/m)
     double damping{};    ///< damping of the spring between ladle and hand, and of the bowl's wall (N s/m)
@@ -81,8 +81,8 @@ struct CauldronRules {
     Tick recoil_length{};
     /// Downward momentum of a lob (a missile thrown in an arc) that bursts at the brew (N s)
     double burst{};
-    /// Work that a wizard does on the brew with the ladle within 1.5 s, from which on the wizard can take
-    /// over a brew that belongs to the other (J)
+    /// Least work that a wizard must do on the other player's brew within 1.5 s, with the ladle, to take the
+    /// brew over (J).
     double min_wrest{};
     Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)
     /// Time from the first ingredient to boiling over, for a brew that can no longer become a potion (ticks)

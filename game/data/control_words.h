@@ -22,7 +22,7 @@ struct ControlPiece {
 /// Splits a text at the names of controls in braces. Braces without a known control stay plain text.
 std::vector<ControlPiece> control_pieces_of(std::string_view pattern);
 
-/// Reads a text that may name controls. `wands`: the names allowed in {wand:NAME}. Reports other braces.
+/// Reads a text that may name controls. `wands`: the names allowed in {wand:NAME}. Reports all other braces.
 std::string read_control_words(const ConfigTable& table, std::string_view key,
                                const std::vector<std::string_view>& wands);
 

@@ -27,7 +27,8 @@ std::vector<std::string> read_tool_names(const ConfigTable& root) {
     return names;
 }
 
-/// The tool that melts a ball out of a crystal where something hits it. `radius`: that of the ball (voxels).
+/// The tool that melts a ball out of a crystal where something hits it. `radius`: radius of the ball
+/// (voxels).
 field::Tool melt_of_hit(double radius) {
     return {
         .name = "chip",

@@ -102,8 +102,8 @@ void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     }
 }
 
-/// Returns the number of the cause of harm (such as "bolt") of a kind of event: the fixed number, or the one
-/// that this cause already has, or the next free one.
+/// Returns the number of the cause of harm (such as "bolt") of a kind of event. That is the fixed number, or
+/// else the number that this cause already has, or else the next free one.
 std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
                          const std::optional<FixedNumbers>& fixed) {
     const auto known = std::find(all.causes.begin(), all.causes.end(), kind.cause);

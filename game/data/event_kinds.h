@@ -16,7 +16,7 @@
 
 namespace thaum::game::inline data {
 
-/// What the column `with` contains in a table of a match's events: what else the event is about.
+/// Contents of the column `with` in a table of a match's events: a further thing that the event is about.
 enum class EventWith : std::uint8_t {
     nothing,
     wand_in_hand,
@@ -65,8 +65,8 @@ struct HitKind {
     std::optional<FixedNumbers> fixed{};
 };
 
-/// A kind of event that the source which records it registers, so that no other source names it. A row in
-/// assets/events.toml says how it is shown.
+/// Registration of a kind of event by the source that records it, so that no other source names the kind. A
+/// row in assets/events.toml says how it is shown.
 class EventRegistration {
 public:
     /// Registers the kind when the program starts. The program chooses its numbers, so `info.cause_number` is
@@ -93,7 +93,7 @@ EventKinds number_event_kinds(std::span<const HitKind> hits, std::span<const Eve
 /// The kinds of this program: those of EventKind, all registered ones, and the hits of all registered wands.
 const EventKinds& event_kinds();
 
-/// What is known of a kind of event; for a number without a kind, the same as for EventKind::none.
+/// Data on a kind of event; for a number without a kind, the data on EventKind::none.
 const EventKindInfo& info_of(EventKind kind);
 /// Name of a kind; empty for a number without a kind.
 std::string_view name_of(EventKind kind);

@@ -11,7 +11,8 @@
 
 namespace thaum::game::inline data {
 
-/// Shared by all matches with the same data. Each recogniser is made when it is first needed, in any thread.
+/// Gestures with their recognisers, shared by all matches with the same data. Each recogniser is made when it
+/// is first needed, in any thread.
 class GestureSet {
 public:
     /// The gestures must have been checked by `fault_of`.

@@ -16,8 +16,8 @@ namespace thaum::game::inline data {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
-/// Top-level tables of data files that no match reads, so their values are not hashed: how events and things
-/// are shown, and the places of practice.
+/// Top-level tables of data files that no match reads: how events and things are shown, and the places of
+/// practice. Their values are not hashed.
 constexpr std::array<std::string_view, 4> unhashed_tables{"event", "look", "range", "sound"};
 
 /// Reads data files, stores the hash of each file's values, and applies overrides.
@@ -196,7 +196,8 @@ void check_bowl(const ConfigTable& arena, const MatchData& data) {
             return solid.report("shape", text("the bowl holds no brew: ", brew.error().message));
 }
 
-/// Loads the rules of the cauldron. `arena`: the arena's file, whose niches and bowl the rules must suit.
+/// Loads the rules of the cauldron. `arena`: the arena's file, whose bowl and niches (places of ingredients)
+/// the rules must suit.
 void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& loader) {
     data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
     if (!loader.is_sound("cauldron.toml")) return;
@@ -240,7 +241,7 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
-/// A copy of what is known so far of how the match is shown. The caller adds its part to the copy.
+/// A copy of the presentation (how the match is shown) as far as it is known. The caller adds its part to it.
 std::shared_ptr<Presentation> begun_presentation(const MatchData& data) {
     return data.presentation ? std::make_shared<Presentation>(*data.presentation)
                              : std::make_shared<Presentation>();

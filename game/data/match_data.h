@@ -35,7 +35,7 @@ struct DataChoice {
 struct MatchData {
     DataChoice choice;
     Arena arena;
-    ArenaLook look;    ///< how pictures show the arena besides its solids
+    ArenaLook look;    ///< light, sky and decoration with which pictures show the arena
     RoundRules round;  ///< rules of rounds, with the changes that the rule set makes
     RuleSet rules;
     WizardRules wizard;
@@ -69,7 +69,7 @@ std::string shown_path(const std::filesystem::path& assets, std::string_view nam
 
 /// Names that a rule set may have.
 std::span<const std::string_view> rule_set_names();
-/// Names that the length of a match may have: those of the files in assets/rules that are no rule sets,
+/// Names that the length of a match may have: the names of the files in assets/rules that are no rule sets,
 /// sorted.
 std::vector<std::string> match_lengths(const std::filesystem::path& assets);
 

@@ -40,7 +40,7 @@ public:
         : bank_(bank), things_(things), kind_(kind), folder_(folder) {}
 
     /// Finds the sound or effect of this name. If there is none, adds a message to `place`, which says where
-    /// a data file has the name, and records both.
+    /// a data file has the name, and records `place` in `missing`.
     std::optional<std::uint32_t> find(std::string_view name, MissingName place) {
         if (name.empty()) return std::nullopt;
         const auto number = bank_.find(name);

@@ -22,8 +22,8 @@ std::vector<field::Filter> read_filters(const ConfigTable& table) {
     return filters;
 }
 
-/// Reports a haptic mode (a way to feel the orb's flow) that is unknown, or that cannot read the kind of
-/// field (of numbers or of vectors) into which its filters turn the flow.
+/// Reports a haptic mode (a way to feel the orb's flow) that is unknown. Also reports one that cannot read
+/// the field, of numbers or of vectors, into which its filters turn the flow.
 void check_mode(const ConfigTable& table, const OrbMode& mode) {
     const auto* kind = haptics::find_mode(mode.name);
     if (kind == nullptr) {

@@ -12,8 +12,8 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// The names of events that a data file may describe, and whose events they are ("the rules"), for the
-/// message that rejects another name.
+/// Names of events that a data file may describe. `whose` names their owner ("the rules") in the message that
+/// rejects another name.
 struct Known {
     std::vector<std::string_view> names;
     std::string_view whose;

@@ -8,8 +8,8 @@
 //     mark = "hit"      # what the HUD shows: none, hit, fall, warning, gift
 //     caption = ""      # words of the mark
 //     feed = ""         # line in the feed of all players
-//     feed_alone = ""   # that line if nobody else caused the event
-//     feed_fall = ""    # that line if nobody did, only a fall; default: feed_alone
+//     feed_alone = ""   # line in the feed if no other player caused the event
+//     feed_fall = ""    # line in the feed if a mere fall caused the event; default: feed_alone
 //     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
 //     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
@@ -96,7 +96,7 @@ struct WandPresentation {
 /// Placeholder for the name of the sound or effect of the spell concerned.
 inline constexpr std::string_view of_spell = "{spell}";
 
-/// What a spell shows in the world while it acts.
+/// Sign that a spell shows in the world while it acts.
 enum class SpellSign : std::uint8_t {
     none,
     shell,  ///< a shell around the caster while the shield lasts
@@ -118,7 +118,7 @@ struct SpellPresentation {
     std::string gesture{};  ///< name of the gesture that casts it
     /// Wand key that casts the spell while the button Trace is held, 0 to wand_slots - 1.
     std::uint32_t slot{};
-    double focus{};  ///< focus that a gentle cast costs
+    double focus{};  ///< focus (what spells cost) that a gentle cast takes
 };
 /// Reads what is seen, heard and felt, from the tables `look` and `event` of the spell's data file.
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell);
@@ -147,7 +147,7 @@ struct MissingName {
 /// One line on a missing name.
 std::string line_of(const MissingName& missing);
 
-/// Data file that defines how a kind of event is shown: events.toml, or that of the wand whose hit it is.
+/// Data file that defines how a kind of event is shown: events.toml, or the file of the wand whose hit it is.
 std::string file_of_event(EventKind kind);
 
 /// Table that defines how a kind of event is shown: "bolt_hit", or "event.bolt_hit" in a wand's file.

@@ -121,7 +121,7 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
 void spread_jumps(std::span<vec3> places, double apart) {
     // Minimum length of a jump of the reported position; the steps of a slow hand are shorter (m)
     constexpr double min_jump = 0.0015;
-    constexpr double longest_rest = 0.064;  // a rest shorter than this belongs to the jump after it (s)
+    constexpr double longest_rest = 0.064;  // longest rest of a position that the next jump includes (s)
     std::size_t rest = 0;  // index of the first point of the rest, in which the device reports no motion
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (places[i] == places[rest]) continue;

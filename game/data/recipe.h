@@ -52,7 +52,7 @@ struct ChangedBrew {
     vec3 colour{};  ///< colour as linear light, 0 to 1; for pictures only
 };
 
-/// What the potion does to the wizard who brewed it, besides its effects.
+/// Changes that a potion makes to the wizard who brewed it, besides its effects (data/potion_effect.h).
 struct PotionGift {
     Tick lasts{};
     double pace{1};     ///< factor on the walking speed

@@ -29,7 +29,7 @@ struct PowerUpRules {
     double radius{};        ///< radius within which the power-up is picked up (m, on the ground)
 };
 
-/// What a rule set switches on or off, from assets/rules/thaum.toml or classic.toml.
+/// Parts of the game that a rule set switches on or off, from assets/rules/thaum.toml or classic.toml.
 struct RuleSet {
     bool energy_regain = true;  ///< true: wands regain energy by themselves, at the rates in their files
     bool spawn_shield = true;
@@ -55,8 +55,8 @@ struct WizardRules {
     double object_safe{}, object_damage{}, max_object_damage{};
     /// Ticks after the beginning of a blow in which the same thing cannot hurt again.
     Tick object_again{};
-    /// Ticks after the other player has hurt or pushed the wizard, or moved a thing, for which that player is
-    /// credited with a fall of the wizard, or with a blow by that thing.
+    /// Ticks for which a player is credited with harm to the other wizard: with a fall after that player has
+    /// hurt or pushed the wizard, and with a blow by a thing after that player has moved the thing.
     Tick blame{};
     double pitch_limit{};  ///< largest angle of view above or below the horizon (rad)
 };

@@ -34,7 +34,7 @@ struct SpellStats {
     /// Wand key that casts the spell without a stroke while the button Trace is held, 0 to wand_slots - 1.
     std::uint32_t slot{};
     std::string gesture;  ///< name of the gesture that casts it
-    double focus{};       ///< focus that a gentle cast costs
+    double focus{};       ///< focus (what spells cost) that a gentle cast takes
     std::string shown;    ///< name on the screen
 };
 
@@ -43,7 +43,7 @@ struct SpellCast {
     MatchContext& context;
     ecs::Entity wizard;
     Tick tick;          ///< current tick of play
-    double strength{};  ///< 1 for a gentle stroke, more for a harsh one
+    double strength{};  ///< 1 for a gentle stroke, more for a harsh (forceful) one
 };
 
 /// Arguments with which a spell adds its systems.
@@ -52,9 +52,9 @@ struct SpellSystems {
     ecs::Schedule& schedule;
 };
 
-/// What a bot knows of its situation when it considers a spell.
+/// Situation of a bot that considers a spell, as far as the bot knows it.
 struct SpellOccasion {
-    double focus{};           ///< remaining focus, as a share of the maximum
+    double focus{};           ///< remaining focus (what spells cost), as a share of the maximum
     double health{};          ///< remaining health, as a share of a new wizard's
     bool under_fire{};        ///< true: the foe has hurt the bot a moment ago
     bool warded{};            ///< true: the bot has a shield
@@ -76,7 +76,7 @@ public:
     /// Returns why the spell would do nothing now, in words for the wizard ("the thing is too far away"); an
     /// empty text if the spell can be cast. The text must stay valid as long as the rules.
     virtual std::string_view refusal(const MatchContext&, ecs::Entity) const { return {}; }
-    /// Casts the spell. The caller has already taken the focus.
+    /// Casts the spell. The caller has already taken the focus that the spell costs.
     virtual void cast(const SpellCast& cast) const = 0;
     /// Components and resources that `cast` writes, and that `refusal` and `cast` read.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;

@@ -143,8 +143,8 @@ public:
     /// Returns the thing under the crosshair that the wand would take hold of, or the reason why it would
     /// not.
     virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
-    /// Force with which the wand holds a thing (its weight), or with which its rope pulls at the anchor, the
-    /// point to which it is attached (the rope's tension) (N); 0: nothing is held.
+    /// Force of the wand (N): the weight of the thing that it holds, or the tension of its rope; 0: nothing
+    /// is held.
     virtual double holding_force(const ecs::World&, ecs::Entity) const { return 0; }
     /// Current charge or draw of the wand, 0 to 1; std::nullopt while it is neither charged nor drawn.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }

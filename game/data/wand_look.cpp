@@ -7,8 +7,8 @@
 namespace thaum::game::inline data {
 namespace {
 
-constexpr Range size{0, 10};        // range of sizes in a look (m)
-constexpr Range position{-10, 10};  // range of coordinates in a look (m)
+constexpr Range size{0, 10};        // range of sizes of a drawn part (m)
+constexpr Range position{-10, 10};  // range of coordinates of a drawn part (m)
 
 void read_colour(const ConfigTable& table, LookPart& part) {
     const auto words = table.string("colour");

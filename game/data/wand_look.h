@@ -35,7 +35,7 @@ struct LookPart {
     double turn{};        ///< angle of a crook's arc, or of a ring about its axis (rad)
     vec3 stretch{1};      ///< scale of a ball along each axis
     int axis{2};          ///< axis of a ring: 0 for x, 1 for y, 2 for z
-    int sides{8};         ///< number of sides; 0: ring with the sides of the team's mark
+    int sides{8};         ///< number of sides; 0: ring with the sides of the team's mark (ring or triangle)
     bool capped{};        ///< true: a ball closes the rod's end
     bool mirrored{};      ///< true: the part appears on both sides, at x and -x
     LookPaint paint{};

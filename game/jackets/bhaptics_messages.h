@@ -27,7 +27,7 @@ std::string bhaptics_request(const tactile::TactileFrame& frame);
 /// The part of a Player's reply that the game uses.
 struct BhapticsReply {
     std::optional<std::int64_t> devices{};  ///< number of devices that the Player is connected to
-    std::optional<bool> vest{};             ///< whether a vest is among those devices
+    std::optional<bool> vest{};             ///< whether the Player is connected to a vest
     /// Whether a vest may be connected. Also true if the reply does not say so, as from older versions of the
     /// Player.
     bool may_have_vest() const { return vest.value_or(devices.value_or(1) > 0); }

@@ -35,8 +35,8 @@ public:
         return hid_write(device_, report.data(), report.size()) >= 0;
     }
     bool is_there() override {
-        constexpr int max_reports = 16;  // at most so many per call, because a device that sends without end
-                                         // must not hold up the caller
+        constexpr int max_reports = 16;  // maximum number of reports per call, because
+                                         // a device that sends without end must not hold up the caller
         std::array<unsigned char, 64> thrown_away{};
         int got = 1;
         for (int i = 0; i < max_reports && got > 0; ++i)

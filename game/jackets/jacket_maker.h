@@ -32,12 +32,12 @@ struct JacketForm {
     std::optional<std::string_view> usual_place{};
 };
 
-/// What `thaum doctor` finds out about a jacket.
+/// Result of the check of a jacket by `thaum doctor`.
 struct JacketCheck {
     bool usable{};
     std::string words{};   ///< text that follows the jacket's name in a line, with the space or colon before
                            ///< it
-    std::string advice{};  ///< what the user can do about it; empty: nothing
+    std::string advice{};  ///< advice to the user about the jacket's state; empty: none
 };
 /// Opens the jacket, leaves it silent and closes it again; reports how that went.
 JacketCheck check_by_opening(const Jacket& jacket, input::TactileOutput& output);

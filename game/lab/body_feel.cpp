@@ -23,7 +23,7 @@ constexpr std::array<FeelForm, 6> forms{{
      {"x (m)", "y (m)", "z (m)", "normal x", "normal y", "normal z", "force (N)"}},
 }};
 
-/// Those numbers of a part of a body's feel that must not be negative: forces, drags, friction.
+/// The numbers of a part of a body's feel that must not be negative: forces, drags, friction.
 std::span<const double> strengths_of(const FeelPart& part) {
     const std::span<const double> all = part.numbers;
     switch (part.kind) {

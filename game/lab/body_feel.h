@@ -1,6 +1,6 @@
 // game/lab/body_feel.h: the feel of a body as a whole in the volume lab, as parts with numbers. The force on
 // the hand is F = A + R(v) + S(n): A is ambient, R(v) a drag against the hand's velocity v, and S(n) acts
-// along the density's gradient. Walls are added to it (haptics/volume/volume_feel.h):
+// along n, the direction of the density's gradient. Walls are added to it (haptics/volume/volume_feel.h):
 //
 //     opacity  S R                  force along the gradient (N) and drag (N s/m) where the picture is opaque
 //     attract  S R                  the same, but drawn towards opaque matter, to follow thin structures
@@ -34,7 +34,7 @@ struct FeelPart {
     bool operator==(const FeelPart&) const = default;
 };
 
-/// Form of one kind of part of a feel, such as walls: its name, and how many numbers it has with which names.
+/// Form of one kind of part of a feel, such as walls: its name, and the count and the names of its numbers.
 struct FeelForm {
     std::string_view name{};
     std::size_t least{}, count{};  ///< how many numbers must be given at least, and how many the part has
@@ -56,8 +56,8 @@ Expected<haptics::VolumeFeel> feel_of_parts(std::span<const FeelPart> parts,
 /// Haptic factors of each material, relative to the first material of the table.
 haptics::MaterialTable feel_of_materials(const field::Materials& materials);
 
-/// Looks up the material of a body at a position in the parent frame: that of the nearest voxel; outside of
-/// the body the first material of the table.
+/// Looks up the material of a body at a position in the parent frame. It is the material of the nearest
+/// voxel, and outside of the body the first material of the table.
 struct BodyMaterials {
     std::array<int, 3> count{};
     vec3 spacing{1};

@@ -9,8 +9,7 @@ namespace thaum::game::inline lab {
 
 enum class HandWay : std::uint8_t { rest, press, circle, file };
 
-/// What the hand does with tool and undo in one step, as in a row of a trace (the table of a session of the
-/// lab).
+/// Use of tool and undo by the hand in one step, as in a row of a trace (the table of a session of the lab).
 struct HandUse {
     std::size_t tool{};  ///< index of the held tool in the sorted list, counted from 1; 0: none
     int history{};       ///< -1: undo, 1: redo, 0: neither
@@ -25,9 +24,9 @@ struct HandPath {
     std::vector<HandUse> uses{};
 };
 
-/// Parses a word of the command line: rest, press, circle, the path of a CSV file with the columns
-/// time_s,x_m,y_m,z_m, or the path of a trace that the lab wrote. The error says what is wrong, and for a
-/// file in which line.
+/// Parses a word of the command line: rest, press, circle, or the path of a CSV file. The file has the
+/// columns time_s,x_m,y_m,z_m, or is a trace that the lab wrote. The error says what is wrong, and for a file
+/// in which line.
 Expected<HandPath> hand_path(std::string_view word);
 
 /// Parses a trace of the lab (game/lab/volume_trace.h), so that the hand gets the same targets at the same
@@ -38,10 +37,10 @@ Expected<HandPath> parse_hand_trace(std::string_view csv, std::string_view name)
 /// lab.
 HandUse use_at(const HandPath& path, double seconds);
 
-/// Target position of the hand (m, lab frame). `workspace`: edge lengths of the workspace (m). A press
-/// goes from above through the middle and back in 4 s; a circle is horizontal, with half of the
-/// narrower horizontal edge as its diameter, and takes 4 s. Before and after a file's times, the
-/// target is the first or last position.
+/// Target position of the hand (m, lab frame). `workspace`: edge lengths of the workspace (m). A press goes
+/// from above through the middle and back in 4 s. A circle is horizontal and takes 4 s; its diameter is half
+/// of the workspace's narrower horizontal edge. Before and after a file's times, the target is the first or
+/// last position.
 vec3 wanted_place(const HandPath& path, vec3 workspace, double seconds);
 
 /// Start position of a hand moved by the mouse (m): near the side of the workspace towards the viewer,

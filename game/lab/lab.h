@@ -107,7 +107,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings);
 /// Computes one step of lab_dt. With `jobs` the fluid step may run on another thread, with the same result.
 LabFigures step_lab(LabState& lab, const LabInput& input, Jobs& jobs);
 
-/// Numbers about the present state of the brew. Those that only a step has, such as forces, are zero.
+/// Numbers about the present state of the brew. Numbers that only a step has, such as forces, are zero.
 LabFigures figures_of(const LabState& lab);
 
 }  // namespace thaum::game::inline lab

@@ -51,7 +51,8 @@ Expected<std::function<double(vec3)>> solid_of(const fluid::NamedShape& shape, C
     const bool known = std::ranges::any_of(lab_cells, [&](int n) { return n == shape.numbers[next]; });
     if (!known) return fail("its bowl has a number of cells that the lab has not");
     rules.cells_across = static_cast<int>(shape.numbers[next]);
-    // The walls do not depend on the solver, and this one's tables are the quickest to compute.
+    // The walls do not depend on the solver, and the tables of the solver `classic` are the quickest to
+    // compute.
     rules.solver = fluid::Solver::classic;
     auto brew = make_brew(rules, basin_of(room.size, room.filled));
     if (!brew) return brew.error();

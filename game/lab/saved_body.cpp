@@ -53,7 +53,7 @@ Expected<void> take_property(const fs::path& file, VolumeLab& lab, Take take) {
 }
 
 /// The volumes that save a body, with their file paths. Colours or materials are among them if they were
-/// changed, or if an older file of them exists, which would otherwise seem to belong to this body.
+/// changed. They also are if an older file of them exists, which would otherwise seem to belong to this body.
 std::vector<std::pair<fs::path, field::Volume>> parts_of(const VolumeLab& lab, const fs::path& file) {
     const auto& body = lab.body;
     std::vector<std::pair<fs::path, field::Volume>> parts;

@@ -25,8 +25,8 @@ constexpr double usual_strength = 0.8;
 constexpr double reach_samples = 2;
 /// Largest distance of a volume's middle from that of the workspace, along each axis (m).
 constexpr double farthest_place = 1;
-/// Displacement of a volume in one change of settings above which the servo fades to the new force instead of
-/// giving it at once (m).
+/// Displacement of a volume in one change of settings above which the servo, which computes the force, fades
+/// to the new force instead of giving it at once (m).
 constexpr double jump = 0.001;
 constexpr std::int64_t device_file_version = 1;
 constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
@@ -168,7 +168,7 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
 }
 
 /// Moves all volumes to their places. Returns whether any of them has turned, changed its size, or moved by
-/// more than `jump`, so that the servo must fade to the new force.
+/// more than `jump`. The servo (the computation of the force) must then fade to the new force.
 bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     bool jumps = false;
     const auto place_of = [&](std::size_t n) { return n < places.size() ? places[n] : LabPlace{}; };
@@ -189,8 +189,8 @@ bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     return jumps;
 }
 
-/// Weight of a volume's feel at a position: 1 within the box of its samples, falling to 0 over the last half
-/// sample, so that no force jumps at the edge.
+/// Weight of a volume's feel at a position. It is 1 within the box of the volume's samples, and falls to 0
+/// over the last half sample, so that no force jumps at the edge.
 double share_within(const VolumeRef& volume, vec3 place) {
     const vec3 own = field::to_own(volume.placement, place), half = 0.5 * volume.source.extent();
     double share = 1;
@@ -224,8 +224,8 @@ void fill_primitives(VolumeLab& lab, vec3 tip, vec3 motion) {
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
-/// Computes the force on the hand once (N): a servo step that omits what counts in ticks of 1 ms, the safety
-/// stage and the account of the energy that the forces give.
+/// Computes the force on the hand once (N), by a servo step without the parts that count in ticks of 1 ms.
+/// These are the safety stage, and the account of the energy that the forces give.
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
     // Displacement of the tip over the last whole tick. Over one short step, most of it would be the
     // quantisation of the device.
@@ -285,7 +285,8 @@ field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     return field::edit(lab.body.view(), lab.data.tools[tool], dab, lab.history);
 }
 
-/// Starts servo and hand anew with the device in lab.data. The hand rests at the top of the workspace.
+/// Starts servo (the computation of the force) and hand anew with the device in lab.data. The hand rests at
+/// the top of the workspace.
 void take_up_device(VolumeLab& lab) {
     const auto& spec = lab.data.device;
     lab.device = haptics::simulated_device(spec, haptics::Hand{}, tick_seconds / lab.steps_per_tick);

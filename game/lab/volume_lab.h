@@ -36,8 +36,8 @@
 
 namespace thaum::game::inline lab {
 
-/// Largest number of servo steps, each of which computes the force anew, in a tick of 1 ms. A step then takes
-/// 0.2 ms.
+/// Largest number of servo steps, each of which computes the force anew, in a tick of 1 ms. With this number
+/// a step takes 0.2 ms.
 inline constexpr int max_steps_per_tick = 5;
 
 /// Ticks between two uses of a carving tool (dabs) while it is held.
@@ -73,7 +73,7 @@ struct VolumeLabSettings {
         places{};  ///< places of the first volume and of the added ones; missing ones are in the middle
 };
 
-/// What the lab reads from data files.
+/// Materials, tools and devices that the lab has read from data files.
 struct VolumeLabData {
     field::Materials materials;
     std::vector<field::Tool> tools;    ///< tools, sorted by name
@@ -141,8 +141,8 @@ struct VolumeLab {
     int steps_per_tick = 1;  ///< servo steps (computations of the force) in a tick; set by set_servo_rate
     /// Positions of the device's tip at the last servo steps, newest first, if a tick has several steps (m).
     std::array<vec3, max_steps_per_tick> tips{};
-    /// longest distance by which the person's move of a volume has displaced it at the tip since the last
-    /// step (m)
+    /// largest displacement at the device's tip by which the person has moved a volume since the last step
+    /// (m)
     double moved{};
     Tick tick{};
     vec3 last_dab{};       ///< position of the tool at its last use (m)
@@ -157,7 +157,7 @@ struct VolumeLabInput {
     vec3 target{};       ///< target position of the hand (m)
     bool carve = false;  ///< true: the tool is held
     std::size_t tool{};  ///< index into VolumeLab::data.tools
-    int history = 0;     ///< undo and redo: -1: undo, 1: redo, 0: neither
+    int history = 0;     ///< step in the history of changes: -1 undo, 1 redo, 0 neither
     std::optional<VolumeLabSettings> change{};
 };
 
@@ -177,10 +177,10 @@ struct VolumeLabFigures {
 Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 
 /// Computes the force `steps_per_tick` times in a tick, 1 to max_steps_per_tick. With several servo steps,
-/// each only reads the tip, lets the modes act, finds their balance and gives the force: the servo's safety
-/// stage and its account of energy are left out, because they count in ticks of 1 ms. The force is then
-/// limited only by the device's peak, and only the device, the hand and the drag of the body's feel damp the
-/// motion. So this must only be used with a simulated device.
+/// each one only reads the tip, lets the modes act, finds their balance and gives the force. The servo's
+/// safety stage and its account of energy are left out, because they count in ticks of 1 ms. The force is
+/// then limited only by the device's peak, and only the device, the hand and the drag of the body's feel damp
+/// the motion. So this must only be used with a simulated device.
 void set_servo_rate(VolumeLab& lab, int steps_per_tick);
 
 /// Puts the hand at rest at a position of the workspace.
@@ -221,8 +221,8 @@ haptics::FieldKind kind_of(const VolumeLab& lab);
 double value_at(const VolumeLab& lab, vec3 place);
 
 /// A mode with strengths that suit the volume's range and the device. If `filters` is empty, a mode that
-/// cannot read the volume directly gets the filter that it needs: an isosurface in a flow, for example, is
-/// one of the flow's speed. The error lists the existing modes.
+/// cannot read the volume directly gets the filter that it needs. For example, an isosurface in a flow is an
+/// isosurface of the flow's speed. The error lists the existing modes.
 Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
                            std::vector<field::Filter> filters = {}, std::size_t volume = 0);
 
@@ -236,7 +236,7 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input);
 /// The volume in its present state, for saving: densities as floats if it was edited, otherwise as read.
 field::Volume volume_now(const VolumeLab& lab);
 
-/// Hash of the state of body, hand and servo.
+/// Hash of the state of body, hand and servo (the computation of the force).
 std::uint64_t lab_hash(const VolumeLab& lab);
 
 }  // namespace thaum::game::inline lab

@@ -87,7 +87,7 @@ void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& ti
 }
 
 /// Watches the arm until the session ends. A lost arm is closed before it is opened again, so that its old
-/// servo thread has ended before a new one uses `servo_`.
+/// servo thread (which computes forces) has ended before a new one uses `servo_`.
 void ArmKeeper::watch() {
     while (wait_for(arm_ ? look_ms : try_again_ms)) {
         if (!arm_) {

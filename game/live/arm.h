@@ -33,7 +33,8 @@ public:
     /// again since.
     const input::ArmFacts& facts() const { return facts_; }
     input::ArmStatus status() const;
-    /// How well the arm's servo thread kept time; for a lost arm, until it was lost.
+    /// How well the arm's servo thread, which computes its force, kept time; for a lost arm, until it was
+    /// lost.
     input::TickReport times() const;
     /// Number of times the arm was lost.
     int losses() const;

@@ -39,12 +39,12 @@ struct LiveBody {
     static Expected<LiveBody> load(const std::filesystem::path& assets);
     /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
     const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;
-    /// Kinds of effect, by what they tell the player (purposes, such as blasts), of which there is at least
-    /// one effect, in the order of tactile::Purpose. Each has a fader in the menu.
+    /// Kinds of effect (purposes, such as blasts) of which there is at least one effect, in the order of
+    /// tactile::Purpose. Each kind has a fader in the menu.
     std::vector<tactile::Purpose> purposes() const;
 };
 
-/// What both players feel on the body in one match. The thread that plays the match owns it.
+/// Everything that both players feel on the body in one match. The thread that plays the match owns it.
 class MatchBody {
 public:
     /// `body`: std::nullopt if nothing is felt; then nothing is computed. `motors` gets the frames for pads
@@ -57,8 +57,8 @@ public:
     void follow(const Simulation& match, MatchSound& sound);
     /// Forgets what was felt, after a jump to another time in a replay.
     void forget();
-    /// Adds how strongly each cell of the body's picture is lit, where a cell shows what one place of the
-    /// body feels.
+    /// Adds to `picture` how brightly each cell of the drawn body is lit; a cell stands for one place of the
+    /// body.
     void show(Picture& picture) const;
 
 private:

@@ -9,7 +9,7 @@ Expected<FeltCourses> load_felt_courses(const audio::SoundBank& bank, const std:
 }
 
 void BodySound::take(const Simulation& match) {
-    // Both players listen, so a listener's number is the player's.
+    // The two listeners are the two players in the same order, so a listener's index is the player's number.
     constexpr std::array<std::uint32_t, players> both{0, 1};
     if (!follower_.goes_on(match)) felt_.stop();
     follower_.look(match);

@@ -7,13 +7,13 @@
 
 namespace thaum::game::inline live {
 
-/// Loads the frequency bands in which sounds are felt from assets/tactile/sound.toml, and computes the
-/// strength over time (the course) of each sound of a bank in these bands. The error is one line.
+/// Loads from assets/tactile/sound.toml the frequency bands in which sounds are felt. Computes the strength
+/// over time (the course) of each sound of a bank in these bands. The error is one line.
 Expected<FeltCourses> load_felt_courses(const audio::SoundBank& bank, const std::filesystem::path& assets);
 
 class BodySound {
 public:
-    /// Keeps a reference to the courses, so they must outlive this object.
+    /// Keeps a reference to `courses` (strengths of the sounds over time), which must outlive this object.
     BodySound(MatchSounds sounds, const FeltCourses& courses) : scene_(std::move(sounds)), felt_(courses) {}
 
     /// Computes what was heard in the last eight ticks. Call this in every eighth tick only.

@@ -12,8 +12,8 @@ class FaderInput {
 public:
     using Values = std::array<std::uint8_t, input::hand_faders>;
 
-    /// Begins a match whose faders have the values `at_start`, which the header of its log records. No other
-    /// thread may use this object meanwhile.
+    /// Begins a match whose faders (strengths of forces) have the values `at_start`, which the header of its
+    /// log records. No other thread may use this object meanwhile.
     void begin_match(const Values& at_start) { given_ = at_start; }
 
     /// Called by the main thread: sets the values that the player wants.

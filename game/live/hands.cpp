@@ -78,8 +78,8 @@ bool PlayerHands::came_back(std::uint32_t player, const input::PadState& pad, co
     return true;
 }
 
-/// Index of a free pad on which a button is pressed, so that a player whose own pad is lost goes on with it.
-/// std::nullopt: there is none, or the player has lost no pad.
+/// Index of a free pad on which a button is pressed: a player whose own pad is lost goes on with that pad.
+/// std::nullopt: there is no such pad, or the player has lost no pad.
 std::optional<std::size_t> PlayerHands::other_pad_for(std::uint32_t player, const Pads& pads) const {
     if (!has_pad(seats_[player]) || !holds_[player].lost) return {};
     for (std::size_t place = 0; place < pads.size(); ++place) {

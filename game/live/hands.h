@@ -22,14 +22,14 @@ struct HandNews {
 
 class PlayerHands {
 public:
-    /// `seats` outlives this object, and changes between matches only.
+    /// `seats` (places of the players in a match) outlives this object, and changes between matches only.
     explicit PlayerHands(TakenSeats& seats) : seats_(seats) {}
 
     /// Begins a match with seats that were taken under `settings`. Buttons held now must be released before
     /// they act in the match. A player who had half of the keyboard in the last match keeps it in a rematch.
     /// Any other player whose pad is not plugged in counts as one who has lost it.
     HandNews begin_match(const Settings& settings, const Pads& pads);
-    /// Empties the seats and forgets which devices their players used.
+    /// Empties the seats (places of the players) and forgets which devices their players used.
     void leave_seats();
 
     /// Calls f with the collector of each person's input, which gathers the events until the next tick takes
@@ -40,8 +40,8 @@ public:
             if (seat.hands) f(*seat.hands);
         }
     }
-    /// Releases all held controls. Call it when their own release will not be reported, as after a loss of
-    /// the focus.
+    /// Releases all held controls. Call it when their own release will not be reported, as after the window
+    /// has lost the focus.
     void release() const;
     /// Gives the collectors of all players' input the bindings of `settings`, and releases all held controls.
     void rebind(const Settings& settings) const;
@@ -49,8 +49,8 @@ public:
     /// Passes the states of the pads on to their players. Notes pads that were unplugged or plugged in again,
     /// and presses with which players rejoin. While a menu is open, pads do not act in the match.
     HandNews look(const Pads& pads, const Settings& settings, bool menu_open);
-    /// Lets the player whose pad is not plugged in go on with half of the keyboard, if `key` is the key that
-    /// fires on that half. Returns std::nullopt for another key, or if nobody can take that half.
+    /// Lets the player whose pad is not plugged in go on with half of the keyboard, if `key` is the fire key
+    /// of that half. Returns std::nullopt for another key, or if nobody can take that half.
     std::optional<HandNews> take_half(int key, const Settings& settings);
     /// Lets the player whose pad is not plugged in go on with half of the keyboard. Returns std::nullopt if
     /// nobody can.
@@ -66,7 +66,7 @@ public:
     bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
     /// The first player who has lost a pad and has not rejoined yet; std::nullopt: there is none.
     std::optional<std::uint32_t> first_lost() const;
-    /// The player whose pad is not plugged in and who would get half of the keyboard; std::nullopt: nobody
+    /// The player whose pad is not plugged in and who would get half of the keyboard. std::nullopt: nobody
     /// needs that half, or it is taken.
     std::optional<std::uint32_t> heir_of_half() const;
     /// Whether the key is bound to the pause on the device of any player.

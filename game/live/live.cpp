@@ -55,8 +55,8 @@ Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t
                         number, session.log_header(seed));
 }
 
-/// Time from now to the start of the next match (s): 0 on the range, in a replay, and in a session that
-/// measures its own timing.
+/// Time from now to the start of the next match (s): 0 on the practice range, in a replay, and in a session
+/// that measures its own timing.
 int countdown_of(const Live& live) {
     const bool none = live.plan.replay != nullptr || live.plan.probe || live.plan.practice ||
                       live.session.next().is_practice();

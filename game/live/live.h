@@ -33,7 +33,7 @@ enum class SeatKind : std::uint8_t {
     dummy,  ///< the practice dummy, which is the opponent on the range
 };
 
-/// Request of a seat for a real force-feedback arm.
+/// Request of a seat (a player's place) for a real force-feedback arm.
 struct ArmWish {
     /// number of the arm in input::arm_places(); std::nullopt: the first one that is free and opens
     std::optional<std::size_t> number{};
@@ -42,7 +42,7 @@ struct ArmWish {
 struct Seat {
     SeatKind kind{};
     int pad = 0;                   ///< index of the pad in input::Pads
-    int level = 1;                 ///< level of the bot (1 to 3)
+    int level = 1;                 ///< level of the bot, 0 (easiest) to 3
     std::optional<ArmWish> arm{};  ///< request for a real arm in the same hand; std::nullopt: none
 };
 
@@ -77,7 +77,7 @@ struct LiveReport {
     std::uint64_t inputs{};
 };
 
-/// One line on how well a real arm's servo thread kept time.
+/// One line on how well a real arm's servo thread, which computes its force, kept time.
 std::string told(const input::TickReport& arm);
 
 /// A replay that a session shows instead of a match.
@@ -96,10 +96,10 @@ struct LivePlan {
     /// true: the players choose their seats on the start screen, which replaces `seats` and returns after
     /// each match
     bool start_screen = false;
-    /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is
-    /// recorded, and data files are read again when they change.
+    /// Kind of the dummy if the session is the practice range instead of a match. The first seat practises,
+    /// nothing is recorded, and data files are read again when they change.
     std::optional<DummyKind> practice{};
-    /// true: the session is the Apprentice, lessons on the range that also choose the dummy
+    /// true: the session is the Apprentice, lessons on the practice range that also choose the dummy
     bool apprentice = false;
     bool first_start =
         false;  ///< true: the program was never started before, so the lessons are offered first
@@ -114,8 +114,8 @@ struct LivePlan {
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    /// words for the players on a faulty settings file, on the start screen or else at the start of the first
-    /// match; empty: there is no fault
+    /// words for the players on a faulty settings file, shown on the start screen or else at the start of the
+    /// first match; empty: there is no fault
     std::string start_fault{};
     /// Reads all data files and returns a text on their faults for terminal and start screen. A thread of its
     /// own calls it after the first pictures. null: the files are not checked.
@@ -127,7 +127,7 @@ struct LivePlan {
     std::optional<double> seconds{};
     Stall stall{};
     /// true: the session measures its own timing. It moves player 1's mouse by synthetic events, leaves the
-    /// cursor free and plays on without the focus.
+    /// cursor free and plays on when the window has lost the focus.
     bool probe = false;
     LiveReport* report = nullptr;  ///< receives the timing at the end; null: not wanted
 };

@@ -48,8 +48,8 @@ struct MatchRequests {
     /// Player for whom the session presses the pause button, to pause or to go on. Set by either thread.
     /// Ignored if the match is paused, or goes on, already. no_player: none.
     std::atomic<std::uint32_t> pause{no_player}, go_on{no_player};
-    std::atomic<DummyKind> dummy{DummyKind::still};  ///< wanted kind of the range's dummy
-    /// wanted changes of the range's rules, such as endless energy
+    std::atomic<DummyKind> dummy{DummyKind::still};  ///< wanted kind of the practice range's dummy
+    /// wanted changes of the practice range's rules, such as endless energy
     std::atomic<RangeChanges> range{RangeChanges{}};
     static_assert(decltype(range)::is_always_lock_free);
     HandOver<OwnGestures> own_gestures{};  ///< own gestures of the player of the range, after a change

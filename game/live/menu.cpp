@@ -53,8 +53,8 @@ std::optional<std::size_t> chosen_row(const MenuState& state) {
 
 }  // namespace
 
-/// Applies an event to the menu. While a request waits for the session, presses are ignored: the request will
-/// close the menu or end its match, so they are not meant for this menu any more.
+/// Applies an event to the menu. Presses are ignored while a request waits for the session. The request will
+/// close the menu or end its match, so such presses are not meant for this menu any more.
 void LiveMenu::step(const MenuEvent& event) {
     if (request_ != MenuRequest::none && event.kind != Kind::gone) return;
     const auto before = state_.settings;
@@ -123,7 +123,7 @@ void LiveMenu::key(int key, bool pressed, std::int64_t now_ns) {
         return;
     }
     if (takes_text()) return name_key(key, now_ns);
-    // In the pause the leave key acts at once, as it does after the round.
+    // In the pause the session's key `leave` acts at once, as it does after the round.
     const bool pause = state_.pages.back().page == page_name::pause;
     if (pause && is_bound(settings().of(SessionKey::leave), key)) {
         request_ = MenuRequest::leave;
@@ -213,7 +213,7 @@ void LiveMenu::pad(int place, const input::PadState& before, const input::PadSta
     }
     const Device device{DeviceKind::pad, place};
     for (const auto& control : pressed_controls(before, current)) {
-        // Other controls that were pressed at the same time are ignored.
+        // While the menu waits for a control, only the first one that was pressed counts.
         if (waits_for_control()) return give_control(device, control);
         const bool start_page = on_start_page();
         const auto kind = menu_event_of(control, start_page);

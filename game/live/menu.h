@@ -51,14 +51,15 @@ public:
     bool has_seat(int place) const;
     /// Repeats a direction that is held, if the repetition is due.
     void repeat(std::int64_t now_ns);
-    /// Ends the repetition of a held direction. Call it when the focus is lost: the release will not be
-    /// reported.
+    /// Ends the repetition of a held direction. Call it when the window has lost the focus: the release will
+    /// not be reported.
     void release() { held_ = {}; }
 
     /// Returns what the menu last asked of the session, such as to start a match, and forgets it. While such
     /// a request waits, further events of devices have no effect.
     MenuRequest take_request() { return std::exchange(request_, MenuRequest::none); }
-    /// Returns the effect on the body that a player wants to try on the mixer's page, and forgets it.
+    /// Returns the effect on the body that a player wants to try on the mixer's page (the page for the
+    /// strengths of all that is felt), and forgets it.
     std::optional<BodyTrialWish> take_trial() { return std::exchange(trial_, {}); }
     /// Returns the sound that the menu makes for the last event, and forgets it.
     MenuSound take_sound() { return std::exchange(sound_, MenuSound::none); }
@@ -69,8 +70,8 @@ public:
     bool sets_up_pad() const { return is_open() && state_.pages.back().page == page_name::pad_setup; }
 
     // The next functions tell the menu what is new.
-    /// Names of joysticks that are not known as pads and of pads that were set up by hand, and a line for
-    /// each joystick that cannot be used.
+    /// Tells the menu the names of joysticks that are not known as pads, the names of pads that were set up
+    /// by hand, and a line for each joystick that cannot be used.
     void tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
                      std::vector<std::string> faults);
     /// Shows the question for one control in the set-up of a joystick. `needed`: the control cannot be
@@ -85,24 +86,25 @@ public:
     void name_pads(const Pads& pads);
     /// State of the loudspeakers, for the page of the sounds.
     void tell_sound(std::string state) { context_.sound = std::move(state); }
-    /// State of a player's jacket, for the mixer's page; empty: none.
+    /// State of a player's jacket, for the mixer's page (strengths of all that is felt); empty: none.
     void tell_jacket(std::size_t player, std::string state) {
         context_.jackets.at(player) = std::move(state);
     }
-    /// Kinds of effect on the body (purposes) that exist. The mixer's page has a fader for each.
+    /// Kinds of effect on the body (purposes) that exist. Each has a fader on the mixer's page of the menu.
     void tell_purposes(std::vector<tactile::Purpose> purposes) { context_.body = std::move(purposes); }
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
-    /// Tells whether the match that begins is on the range, and whether it is the Apprentice (the tutorial
-    /// there). From then on the start screen does not offer the Apprentice as on a first start.
+    /// Tells the menu whether the match that begins is on the practice range, and whether it is the
+    /// Apprentice (the tutorial there). From then on the start screen does not offer the Apprentice as on a
+    /// first start.
     void set_practice(bool practice, bool apprentice) {
         context_.practice = practice;
         context_.apprentice = apprentice;
         context_.first_start = false;
     }
-    /// The gestures that the player of the range can draw anew; null: none.
+    /// Gestures that the player on the practice range can record anew; null: none.
     void set_gestures(const GestureSet* gestures);
-    /// The gesture that the player of the range draws anew at present: its number plus 1; 0: none.
+    /// Number plus 1 of the gesture that the player on the practice range records anew now; 0: none.
     void set_drawn_gesture(std::uint32_t number) { context_.drawn_gesture = number; }
     /// Words of the start screen on faulty data files; ignored if there are words on a faulty settings file
     /// already.
@@ -111,11 +113,11 @@ public:
     }
     void set_pause(PauseWords words);
     void set_note(std::string note) { state_.note = std::move(note); }
-    /// Sets the largest force that a player has found by feel (% of the device's
-    /// peak), as the mixer's page does.
+    /// Sets the largest force that a player has found by feel (% of the device's peak), as the row on the
+    /// mixer's page (strengths of all that is felt) does.
     void set_own_force(std::size_t player, std::uint32_t percent);
     void choose_arena(std::size_t arena) { state_.arena = arena; }
-    // The next functions make changes by the session's keys, which last for this run only.
+    // The next functions make changes by keys of the session. The changes last for this run only.
     void toggle_fullscreen() { state_.settings.fullscreen = !state_.settings.fullscreen; }
     void turn_split();
 

@@ -20,22 +20,22 @@ public:
     /// Whether the next match is practice on the range.
     bool is_practice() const { return range_.has_value(); }
 
-    /// Reads the data of a match with the rules `match` (a file of assets/rules) and the arena `arena` (a
-    /// file of assets/arenas), again for each match: the range lets players edit the files. After an error,
+    /// Reads the data of a match again for each match, because the practice range lets players edit the
+    /// files. `match`: the rules, a file of assets/rules. `arena`: a file of assets/arenas. After an error,
     /// which names file, line and key, the old data stays.
     Expected<void> choose(const std::string& match, const std::string& arena);
     /// Makes the next match practice on the range. The error names file, line and key.
     Expected<void> open_range();
-    /// Makes the next match the Apprentice, a tutorial on the range in an arena of its own. The error names
-    /// file, line and key.
+    /// Makes the next match the Apprentice, a tutorial on the practice range in an arena of its own. The
+    /// error names file, line and key.
     Expected<void> open_apprentice();
-    /// Hands over the lessons of the Apprentice (the tutorial on the range), for one match; std::nullopt: the
-    /// next match has none.
+    /// Hands over the lessons of the Apprentice (the tutorial on the practice range), for one match;
+    /// std::nullopt: the next match has none.
     std::optional<Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }
-    /// Whether the next match has the lessons of the range (the Apprentice).
+    /// Whether the next match has the lessons of the practice range (the Apprentice).
     bool is_apprentice() const { return lessons_.has_value(); }
-    /// Hands over the data files of the range, for one match; std::nullopt: the next match is not on the
-    /// range.
+    /// Hands over the data files of the practice range, for one match; std::nullopt: the next match is not on
+    /// the range.
     std::optional<RangeFiles> take_range() { return std::exchange(range_, std::nullopt); }
 
 private:

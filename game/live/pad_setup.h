@@ -63,7 +63,7 @@ private:
     std::string model_{}, path_{};  ///< guid and device file of the joystick that is set up
     std::optional<input::PadAssignment> assignment_{};
     std::string skipped_{};  ///< controls that the last set-up left out
-    /// removal of a pad's SDL mapping, as the user wants it; the next follow() returns it
+    /// removal of a pad's SDL mapping that the user wants; the next follow() returns it
     std::optional<PadChange> due_{};
     std::string asked_{};           ///< the question that was asked last
     std::set<std::string> told_{};  ///< faults that the terminal has shown

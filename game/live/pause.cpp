@@ -7,8 +7,8 @@ namespace thaum::game::inline live {
 
 namespace {
 
-/// Words such as "pad 1 of Ember is not plugged in" on lost pads; `end` is their end. `plugged_again` chooses
-/// between pads that are plugged in again and those that are not. Empty if there is no such pad.
+/// Sentence on lost pads that ends with `end`, such as "pad 1 of Ember is not plugged in". `plugged_again`
+/// chooses between pads that are plugged in again and those that are not. Empty if there is no such pad.
 std::string lost_pads(const PauseFacts& facts, bool plugged_again, std::string_view end) {
     std::string pads;
     std::size_t count = 0;

@@ -53,7 +53,7 @@ private:
 /// Text of the pause menu.
 struct PauseWords {
     std::string head{}, line{};  ///< title of the pause menu, and reason of the pause
-    std::string missing{};       ///< why the match cannot go on: whose pad is not plugged in; empty: it can
+    std::string missing{};       ///< why the match cannot go on (whose pad is not plugged in); empty: it can
     std::string half_for{};      ///< player who may go on with half of the keyboard; empty: nobody
     bool operator==(const PauseWords&) const = default;
 };

@@ -8,8 +8,8 @@
 
 namespace thaum::game::inline live {
 
-/// What a match has beside its play: nothing, a log, or on the range the data files. The range's data may
-/// change during the match, so a range is never logged: a log's header must stay true.
+/// Record of a live match: nothing, the writer of its log or, on the practice range, its data files. A match
+/// on the range has no log, because its data may change, and a log's header must name the data of all ticks.
 using Recording = std::variant<std::monostate, input::LogWriter, RangeFiles>;
 
 /// Place of the logs of one session.

@@ -16,7 +16,8 @@ constexpr double delay_ms = 6;
 /// The last two pictures, and the picture interpolated between them for the present time.
 struct InterpolationBuffer {
     Picture before = make_picture(), newest = make_picture(), shown = make_picture();
-    /// how often each player has done what each prompt asks for, in all pictures so far
+    /// how often each player has done what each prompt (a hint such as "[E] Stir") asks for, in all pictures
+    /// so far
     PromptUses prompt_uses{};
     std::int64_t shown_due_ns = 0;  ///< all ticks due by this time are contained in `shown` (ns)
     bool any = false;
@@ -55,8 +56,7 @@ const Picture& show(InterpolationBuffer& buffer, double speed) {
     return buffer.shown;
 }
 
-/// Quality of the pictures: the one of the settings or, for the setting `auto`, the one found by measured
-/// times.
+/// Quality of the pictures: chosen in the settings or, for the setting `auto`, found by measured times.
 struct QualityChoice {
     render::Quality first{};
     render::AutoQuality found{};
@@ -71,8 +71,8 @@ struct QualityChoice {
     }
 };
 
-/// Period of pictures outside of a match and in a pause, when little moves: the camera that circles the arena
-/// moves the picture by less than two pixels in that time (ns).
+/// Period of pictures outside of a match and in a pause, when little moves (ns). The camera that circles the
+/// arena moves the picture by less than two pixels in that time.
 constexpr std::int64_t still_period_ns = 66'000'000;
 constexpr double seconds_per_camera_turn = 360;
 
@@ -87,11 +87,11 @@ struct RenderState {
     InterpolationBuffer buffer{};
     FrameMemory memory{};
     QualityChoice quality{};
-    /// number of the qualities, from the lowest on, whose shaders were used already; the first use of a
-    /// shader is slow
+    /// number of picture qualities, counted from the lowest, whose shaders were used already; the first use
+    /// of a shader is slow
     std::size_t warm_qualities = 0;
     std::int64_t next_still_ns = 0;
-    FrameTimes frame_times{};  ///< times of the last pictures, while they are shown
+    FrameTimes frame_times{};  ///< times of the last pictures, kept while the screen shows these times
 };
 
 /// The open menu as it is drawn. The match's caption has no place under a menu, so it fills an empty menu
@@ -139,7 +139,8 @@ bool same_scenery(const MatchData& a, const MatchData& b) {
 }
 
 /// Makes the arena scene of the newest data. Meshes cannot be freed, so another arena needs another renderer.
-/// That takes a moment, but happens only when somebody chooses another arena or edits one on the range.
+/// That takes a moment, but happens only when somebody chooses another arena or edits one on the practice
+/// range.
 void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer, RenderState& state) {
     if (!shared.scene.take()) return;
     const auto scene = shared.scene.newest();
@@ -152,8 +153,8 @@ void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& re
     state.scene = scene;
 }
 
-/// Warms up the shaders of one quality after each of the first pictures, so that no picture waits for those
-/// of all qualities.
+/// Warms up the shaders of one quality after each of the first pictures. To do this for all qualities at once
+/// would delay a picture.
 void warm_up_next(render::Renderer& renderer, LiveShared& shared, RenderState& state) {
     if (state.warm_qualities == render::qualities) return;
     renderer.warm_up(static_cast<render::Quality>(state.warm_qualities++));
@@ -172,7 +173,7 @@ void count_picture(std::int64_t begun_ns, bool measured, LiveShared& shared, Ren
     const auto shown_ns = monotonic_ns();
     const double frame_ms = static_cast<double>(shown_ns - begun_ns) * 1e-6;
     auto& quality = state.quality;
-    // A picture whose passes were measured took longer than usual.
+    // Measuring the parts of a picture slows it down, so such a picture does not decide on the quality.
     if (!measured) quality.found = render::after_frame(quality.found, frame_ms);
     shared.report.quality = state.memory.frame.quality;
     times.frames.add(frame_ms);

@@ -11,8 +11,8 @@ namespace {
 /// time for which the thread sleeps before it looks for requests of the viewer again (ns)
 constexpr std::int64_t idle_ns = 8'000'000;
 constexpr double publish_period_ns = 4e6;  ///< period of published pictures, at any speed (ns of real time)
-/// delay behind the clock above which the replay does not hurry to make up for it; no tick is lost, all are
-/// shown later (ns)
+/// delay behind the clock above which the replay does not hurry to make up for it (ns); no tick is lost,
+/// since all are shown later
 constexpr std::int64_t max_behind_ns = 250'000'000;
 
 struct ReplayThread {

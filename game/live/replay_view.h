@@ -25,12 +25,12 @@ enum class ReplayDeed : std::uint8_t {
     eyes,  ///< shows the next view: both players', the first's or the second's
 };
 
-/// What a key does in a replay; std::nullopt: nothing. These keys are fixed, since they act in replays only.
+/// Action of a key in a replay; std::nullopt: none. These keys are fixed, since they act in replays only.
 std::optional<ReplayDeed> replay_deed_of(int key);
 /// Words for the screen on what the keys do.
 std::string replay_keys();
 
-/// What the viewer of a replay has chosen to see.
+/// The viewer's choices in a replay: moment, speed, pause and views.
 struct ReplayView {
     Tick at{};  ///< tick that is shown, or target of a jump that is not done yet
     double speed = 1;
@@ -43,12 +43,12 @@ inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
 inline constexpr Tick replay_jump = 5000;  ///< length of a jump by the keys for jumps (ticks)
 inline constexpr Tick replay_step = 16;    ///< length of a single step: one picture at 60 Hz (ticks)
 inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long before the kill (ticks)
-/// A jump back to the previous kill leads to `before_kill` ticks before it. A kill is skipped if that place
-/// is less than this time before the present tick, so that repeated jumps lead to ever earlier kills (ticks).
+/// Least length of a jump back to a kill (ticks). The jump leads to `before_kill` ticks before a kill. A kill
+/// is skipped if that place is nearer than this, so that repeated jumps lead to ever earlier kills.
 inline constexpr Tick same_kill = 1000;
 
-/// The viewer's choices after an action by a key (`deed`). `length`: ticks of the log; `kills`: those known,
-/// by rising tick.
+/// The viewer's choices after an action by a key (`deed`). `length`: ticks of the log; `kills`: the kills
+/// that are known, sorted by tick.
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const Kill> kills);
 
 /// Requests of the main thread to the simulation thread that shows a replay.

@@ -41,8 +41,8 @@ Expected<std::vector<Seat>> hands_named(std::string_view words) {
     }
     if (hands.size() > players) return fail("--hands takes one or two devices, one a player");
     if (hands.size() < 2 || hands[0].kind != hands[1].kind || hands[0].kind == SeatKind::pad) return hands;
-    // Only one player has the mouse. If both seats ask for it, the second one gives way if it has an arm,
-    // else the first one if that has an arm.
+    // Only one player has the mouse. If both seats ask for it, a seat with an arm gives way: the second one
+    // if it has an arm, else the first one.
     auto* gives_way = hands[1].arm ? &hands[1] : hands[0].arm ? hands.data() : nullptr;
     const bool same_arm = hands[0].arm && hands[1].arm && hands[0].arm->number && hands[1].arm->number &&
                           *hands[0].arm->number == *hands[1].arm->number;

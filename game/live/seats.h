@@ -22,7 +22,7 @@ struct TakenSeat {
 };
 using TakenSeats = std::array<TakenSeat, players>;
 
-/// Seats of the command line; each pad goes to the first seat that wants one.
+/// Seats (places of players) of the command line. Each pad goes to the first seat that wants one.
 Seats planned_seats(Seats seats, const Pads& pads);
 /// Seats of the start screen. A bot takes an empty seat, and in practice a dummy takes the second one.
 Seats joined_seats(const MenuState& menu, const MenuContext& context, bool practice);

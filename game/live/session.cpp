@@ -194,7 +194,7 @@ input::LogHeader LiveSession::log_header(std::uint64_t seed) const {
     for (const auto& seat : shared_.seats)
         kinds.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
     MatchSetup setup{.seed = seed, .devices = devices_of(shared_.seats, shared_.arms)};
-    // own gestures that do not suit the match's data were left out
+    // load_profile has left out gestures that do not suit the match's data, so this does not fail.
     (void)use_profile(*next_.data(), profile_, setup);
     auto header = game::log_header(*next_.data(), setup, std::move(kinds));
     record_names(names(), header);
@@ -227,7 +227,7 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     carry_out_request();
 }
 
-/// Pauses when the focus is lost for long. A session that measures its own timing plays on.
+/// Pauses when the window has lost the focus for long. A session that measures its own timing plays on.
 void LiveSession::pause_without_focus(std::int64_t now_ns) {
     const auto person = first_person(shared_.seats);
     if (plan_.probe || !person || !shared_.ready || !focus_.lasts(now_ns)) return;
@@ -279,7 +279,8 @@ void LiveSession::share_motors() {
     }
 }
 
-/// Gives players who have joined with a pad its motors, so that they can feel effects on the mixer's page.
+/// Gives players who have joined with a pad its motors, so that they can feel effects on the mixer's page,
+/// the menu's page for the strengths of all that is felt.
 void LiveSession::share_motors_of_start_screen() {
     for (std::uint32_t p = 0; p < players; ++p) {
         const auto& device = menu_.state().seats[p];
@@ -288,7 +289,7 @@ void LiveSession::share_motors_of_start_screen() {
     }
 }
 
-/// Whether a player has pressed button B, which leaves after the round as Esc does.
+/// Whether a player has just pressed button B on a pad, which leaves the match after the round, like Esc.
 bool LiveSession::leaves_by_pad(const Pads& before, const Pads& pads) const {
     constexpr auto b = 1U << static_cast<unsigned>(input::PadButton::b);
     return std::any_of(shared_.seats.begin(), shared_.seats.end(), [&](const TakenSeat& seat) {
@@ -335,7 +336,7 @@ PauseFacts LiveSession::pause_facts() const {
     return facts;
 }
 
-/// Applies changed settings to the input of the players, and the menu's choices to the range.
+/// Applies changed settings to the input of the players, and the menu's choices to the practice range.
 void LiveSession::apply_settings() {
     shared_.requests.dummy = static_cast<DummyKind>(menu_.state().dummy);
     shared_.requests.range = menu_.state().range;
@@ -353,12 +354,13 @@ void LiveSession::apply_settings() {
     shared_.tactile.apply(menu_.settings());
 }
 
-/// Folder of the own gestures of the player of the range.
+/// Folder of the gestures that the player on the practice range has recorded.
 std::filesystem::path LiveSession::folder_of_gestures() const {
     return own_gestures_folder(plan_.settings_file, menu_.settings(), practising);
 }
 
-/// Checks and saves a gesture that the player of the range has drawn, and lets the range go on with it.
+/// Checks and saves a gesture that the player on the practice range has drawn, and lets practice go on with
+/// it.
 void LiveSession::take_drawn_gesture() {
     const auto drawn = shared_.progress.drawn_gesture.take();
     if (!drawn) return;
@@ -390,7 +392,8 @@ void LiveSession::forget_gesture() {
          {text(had ? "the game's " : "you have no own ", capitalised(name), had ? " counts again" : "")}});
 }
 
-/// Plays the effect that somebody on the mixer's page wants to feel.
+/// Plays the effect that somebody wants to feel on the mixer's page, the page for the strengths of all that
+/// is felt.
 void LiveSession::play_trial(std::int64_t now_ns) {
     if (!trial_) return;
     if (const auto wish = menu_.take_trial()) {
@@ -427,8 +430,8 @@ void LiveSession::carry_out_request() {
     if (!hands_.first_lost()) requests.go_on = first_person(shared_.seats).value_or(0);
 }
 
-/// Ends the match, after which another one begins with the same players. The range reads its files again;
-/// while one of them is faulty, the match goes on.
+/// Ends the match, after which another one begins with the same players. The practice range reads its files
+/// again; while one of them is faulty, the match goes on.
 void LiveSession::restart() {
     const auto& context = menu_.context();
     if (context.apprentice ? !succeeds(next_.open_apprentice())
@@ -453,7 +456,7 @@ double LiveSession::patience_s() const {
 
 namespace {
 
-/// Views that are shown: those of all persons, and of the bots if no person plays.
+/// Views that are shown: the views of all persons, or of the bots if no person plays.
 Watch watched(const TakenSeats& seats) {
     const bool first = seats[0].hands != nullptr, second = seats[1].hands != nullptr;
     if (first == second) return Watch::both;
@@ -462,8 +465,8 @@ Watch watched(const TakenSeats& seats) {
 
 }  // namespace
 
-/// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot
-/// against a person, and "Dummy" for the range's dummy. A replay has those of its log. An empty name
+/// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot against a
+/// person, and "Dummy" for the practice range's dummy. A replay has the names in its log. An empty name
 /// stands for the name of the team.
 PlayerNames LiveSession::names() const {
     if (viewer_) return viewer_->names();

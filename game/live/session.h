@@ -21,7 +21,7 @@
 
 namespace thaum::game::inline live {
 
-/// What F3 shows beyond the game, one after another.
+/// What each press of the key F3 makes the views show in turn, besides the game itself.
 enum class Insight : std::uint8_t {
     none,
     forces,       ///< the forces that hands feel, and the brew's flow
@@ -35,7 +35,7 @@ public:
     const LivePlan& plan() const { return plan_; }
     const LiveMenu& menu() const { return menu_; }
     NextMatch& next() { return next_; }
-    /// Own gestures of the players of the next match. Call take_seats() first.
+    /// Gestures that players of the next match have recorded themselves. Call take_seats() first.
     const std::vector<input::ProfileData>& profile() const { return profile_; }
     /// Header of the log of the next match. Call take_seats() first.
     input::LogHeader log_header(std::uint64_t seed) const;
@@ -133,10 +133,11 @@ private:
     FocusLoss focus_{};
     RoundEnd round_end_{};
     bool restarts_ = false;         ///< true: the menu has asked to begin the match again once it has ended
-    bool paused_by_focus_ = false;  ///< true: the lost focus is the reason of the pause
+    bool paused_by_focus_ = false;  ///< true: the window's lost focus is the reason of the pause
     Pads pads_{};                   ///< states of the pads at the last look
-    std::vector<input::ProfileData> profile_{};  ///< gestures that the persons at the seats recorded
-    /// trials of effects for the mixer's page; std::nullopt: nothing is felt on the body
+    std::vector<input::ProfileData> profile_{};  ///< gestures that persons among the players recorded
+    /// trials of effects for the mixer's page (strengths of all that is felt); std::nullopt: nothing is felt
+    /// on the body
     std::optional<BodyTrial> trial_{};
     /// what F3 makes the views show besides the game: nothing, forces, or times of the pictures
     Insight insight_ = Insight::none;

@@ -1,5 +1,5 @@
-// game/live/shared.h: data that the three threads of a live session share. Values that one thread gives away
-// to another (hand_over.h) take a lock for a moment; all else takes none.
+// game/live/shared.h: data that the three threads of a live session share. Handing a value from one thread to
+// another (hand_over.h) takes a lock for a moment; no other access takes a lock.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -33,7 +33,7 @@ struct InputStamp {
 
 /// Everything the main thread wants shown besides the match itself.
 struct Screen {
-    HudSettings hud{};  ///< settings of the views; `quality` below replaces theirs
+    HudSettings hud{};  ///< settings of the views; the member `quality` replaces the quality in them
     /// quality of pictures; std::nullopt: chosen by device and measured times
     std::optional<render::Quality> quality{};
     MenuPicture menu{};
@@ -68,12 +68,12 @@ struct MatchProgress {
     std::atomic<PlayState> state{PlayState::playing};
     std::atomic<std::uint32_t> paused_by{no_player};
     std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
-    /// Largest force that a player of the range has found by feel (% of the device's peak), until the main
-    /// thread takes it; 0: none.
+    /// Largest force that a player on the practice range has found by feel (% of the device's peak), until
+    /// the main thread takes it; 0: none.
     std::atomic<std::uint32_t> found_force{0};
-    /// Gesture that a player of the range has drawn, for the main thread to check and to save.
+    /// Gesture that a player on the practice range has drawn, for the main thread to check and to save.
     HandOver<gesture::Gesture> drawn_gesture{};
-    /// Number of the gesture that the player of the range draws anew at present, plus 1; 0: none.
+    /// Number plus 1 of the gesture that the player on the practice range records anew now; 0: none.
     std::atomic<std::uint32_t> drawn_number{0};
 };
 
@@ -137,7 +137,8 @@ struct MatchStart {
     Recording recording;
     int countdown = 0;    ///< length of the countdown before the match begins (s)
     std::string fault{};  ///< text on a fault for both players, shown for the first seconds; empty: none
-    std::optional<Lessons> lessons{};           ///< lessons of the Apprentice, which is played on the range
+    std::optional<Lessons> lessons{};           ///< lessons of the Apprentice, which is played on the
+                                                ///< practice range
     std::vector<input::ProfileData> profile{};  ///< the players' own gestures (game/match/own_gestures.h)
 };
 

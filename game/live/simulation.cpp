@@ -36,15 +36,15 @@ constexpr std::int64_t notice_ns = 3'000'000'000;
 /// random numbers unpredictable anyway.
 constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 
-/// One match with its bots, and its log or the range's data.
+/// One match with its bots, and its log or the practice range's data.
 struct Round {
     std::unique_ptr<Simulation> own;
-    Simulation* match = nullptr;  ///< `own`, or on the range the match of its practice
+    Simulation* match = nullptr;  ///< `own`, or the match of the practice range
     Bots bots;
-    /// record of the match: none, its log, or on the range the practice with its data
+    /// record of the match: none, its log, or a Practice, which is the practice range with its data
     std::variant<std::monostate, input::LogWriter, Practice> kept;
     std::string told_step{};               ///< text of the lesson's step that was printed last
-    std::unique_ptr<DataWatcher> watcher;  ///< the range's files; null outside of practice
+    std::unique_ptr<DataWatcher> watcher;  ///< the practice range's files; null outside of practice
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
     std::uint32_t marks = 0;
@@ -67,7 +67,7 @@ struct SimulationThread {
     std::uint32_t next_press = 0;
 };
 
-/// Log of the match; null if the match is not logged, as on the range.
+/// Log of the match; null if the match is not logged, as on the practice range.
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
 /// Tests whether the match is paused or over.
 bool is_idle(const SimulationThread& s) { return s.shared.progress.state.load() != PlayState::playing; }
@@ -137,7 +137,7 @@ bool start_round(SimulationThread& s, MatchStart start) {
         MatchSetup setup{.seed = start.seed,
                          .devices = devices_of(s.shared.seats, s.shared.arms),
                          .workers = brew_threads()};
-        // own gestures that do not suit the data are left out, as from the log's header
+        // Gestures that do not suit the data were left out when they were loaded, so this does not fail.
         (void)use_profile(*start.data, std::move(start.profile), setup);
         s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));
         s.round.match = s.round.own.get();
@@ -158,8 +158,8 @@ void tell_score(Round& round) {
     if (auto* practice = practice_of(round)) print_line(practice->last_words());
 }
 
-/// Tests the tasks of the Apprentice (the lessons on the range) after a tick. Prints each new step in the
-/// terminal too.
+/// Tests the tasks of the Apprentice (the lessons on the practice range) after a tick. Prints each new step
+/// in the terminal too.
 void follow_lessons(Round& round) {
     auto* practice = practice_of(round);
     if (practice == nullptr || practice->apprentice() == nullptr) return;
@@ -171,15 +171,15 @@ void follow_lessons(Round& round) {
     round.told_step = std::move(step);
 }
 
-/// Number of the gesture that the player draws anew, plus 1; 0: none.
+/// Number plus 1 of the gesture that the player records anew; 0: none.
 std::uint32_t number_of_drawn(const GestureWall& wall, const GestureSet* gestures) {
     if (!wall.records() || gestures == nullptr) return 0;
     const auto number = gestures->number(wall.recorded_name());
     return number ? *number + 1 : 0;
 }
 
-/// Shows the strokes of this tick on the gesture wall, the range's display of gestures. Hands a gesture that
-/// the player has recorded there to the main thread.
+/// Shows the strokes of this tick on the gesture wall, the practice range's display of gestures. Hands a
+/// gesture that the player has recorded there to the main thread.
 void follow_gestures(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
@@ -192,7 +192,7 @@ void follow_gestures(SimulationThread& s) {
     s.wake();
 }
 
-/// Applies the menu's choices and reloaded data files to the range, between two ticks.
+/// Applies the menu's choices and reloaded data files to the practice range, between two ticks.
 void follow_practice(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
@@ -244,7 +244,7 @@ void stamp_input(SimulationThread& s) {
         s.shared.stamps.push({came, s.start_ns + tick * ns_per_tick});
 }
 
-/// Lets the player of the range find the largest force by feel.
+/// Lets the player of the practice range find the largest force by feel.
 void try_force(SimulationThread& s, Practice& practice, input::InputFrame& frame) {
     const auto found = practice.try_force(frame);
     s.shared.seats[practising].faders->note(frame.devices[practising].change);

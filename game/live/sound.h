@@ -32,7 +32,7 @@ public:
     /// Makes all sounds and starts the loudspeakers' thread. Null after an
     /// error, which is printed in one line.
     static std::unique_ptr<LiveSound> start(const std::filesystem::path& assets, const Settings& settings);
-    /// For tests: plays on the given device.
+    /// For tests: plays on `device` instead of the loudspeakers.
     LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device,
               std::filesystem::path assets = {});
 

@@ -66,8 +66,8 @@ public:
     void feel(std::uint32_t player, const tactile::TactileFrame& frame);
     /// Whether a player's settings name a jacket, open or not.
     bool has_jacket(std::uint32_t player) const { return seats_.at(player).jacket.plays; }
-    /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if the jacket is connected;
-    /// else empty, and no frames (strengths of its motors) need be made.
+    /// Name of the layout (a file of assets/tactile/layouts) of a player's connected jacket. Empty if the
+    /// jacket is not connected: then no frames (strengths of its motors) need be made.
     std::string_view jacket_layout(std::uint32_t player) const;
     /// Whether a player's view shows the figure of a body, which lights up where the player feels something.
     bool shows_figure(std::uint32_t player) const { return seats_.at(player).figure; }

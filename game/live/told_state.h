@@ -19,9 +19,9 @@ public:
     }
 
 private:
-    /// Prints nothing for an empty state. A first state is printed only if `times_opened` is 0, because an
-    /// output that works from the start needs no line. `times_opened` is above 0 if the output has worked
-    /// before.
+    /// Prints a state that is not empty and differs from the last one. The first state is printed only if
+    /// `times_opened`, the number of times that the output was opened, is 0: an output that works from the
+    /// start needs no line.
     void tell(const std::string& whose, std::string state, std::uint64_t times_opened);
 
     std::string told_{};

@@ -36,7 +36,7 @@ void tell_menu(LiveWindow& window, const LiveMenu& menu) {
 bool closes(const render::Window& window) { return window.should_close() || EndWatch::asked(); }
 
 /// Moves player 1's mouse every 23.7 ms, for a session that measures its own timing. The period is no
-/// multiple of the pictures', so that events come at all times between two pictures.
+/// multiple of the period of pictures, so that events come at all times between two pictures.
 void probe(LiveSession& session, std::int64_t& next_ns) {
     constexpr std::int64_t period_ns = 23'700'000;
     const auto now = monotonic_ns();
@@ -78,7 +78,7 @@ void look_at_sticks(LiveSession& session, LiveWindow& window) {
 bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& window) {
     session.open_start_screen(monotonic_ns());
     const auto events = events_of(session, window.window);
-    // The first look at pads and joysticks comes before the first key, which may open their page.
+    // Pads and joysticks are looked at before the first key, which may open the page about them.
     for (bool first = true; !shared.stop; first = false) {
         session.publish_screen();
         if (!first) window.window.poll(events, session.patience_s());

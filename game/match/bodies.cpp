@@ -37,8 +37,8 @@ void collect(ecs::World& world, ecs::Entity wizard, ecs::Entity thing, const phy
     blow = {.by = thing, .began = tick, .counts_again = tick + again, .impulse = contact.impulse};
 }
 
-/// Player who is credited with a blow by a thing that began at tick `began`; no_player if no player moved the
-/// thing in the `blame` ticks before.
+/// Player who is credited with a blow by a thing. `began`: tick at which the blow began. no_player if no
+/// player moved the thing in the `blame` ticks before.
 std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, Tick blame) {
     const auto* prop = world.find<Prop>(thing);
     return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;

@@ -19,8 +19,8 @@ double harm_of_blow(const WizardRules& rules, double impulse);
 /// Copies position and velocity of every moving body from the physics into Motion.
 void copy_places(MatchContext& context);
 
-/// Replaces the physics by a new one with exactly the bodies of the World, in an order that depends only on
-/// the World, so that a restored match continues with the same bits.
+/// Replaces the physics by a new one with exactly the bodies of the World. Their order depends only on the
+/// World, so a restored match continues with the same bits.
 void rebuild_physics(MatchContext& context);
 
 }  // namespace thaum::game::inline match

@@ -19,7 +19,7 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// WandBelt, the wizard's wands with their energy, for the new data: each wand keeps its energy, the selected
+/// WandBelt, the wizard's wands with their energy, for the new data. Each wand keeps its energy, the selected
 /// wand stays selected, and added wands have full energy.
 WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt& old) {
     auto belt = full_belt(to);

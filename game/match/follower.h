@@ -9,8 +9,8 @@ namespace thaum::game::inline match {
 /// Share of full health below which players hear and feel their own heart.
 inline constexpr double loud_heart_health = 0.25;
 
-/// How far code that follows a match, the reader, has read it: the tick of its last look, and the events that
-/// it has seen.
+/// Place of a reader, which is code that follows a match, in that match: the tick of its last look, and the
+/// events that it has seen.
 class MatchFollower {
 public:
     /// Whether the match has simply played on since the last look(). False before the first one, after a jump

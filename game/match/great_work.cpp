@@ -8,8 +8,8 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Starts or ends the time for which one player holds both halves of the Great Work (two rare things that win
-/// the round if held long enough), and records the event.
+/// Starts or ends the time for which one player holds both halves of the Great Work, and records the event.
+/// The halves are two rare things; to hold both long enough wins the round.
 void follow(MatchContext& context, std::uint32_t player, bool holds_both, vec3 place, Tick tick) {
     auto& since = context.world.single<GreatWork>().since[player];
     if ((since != 0) == holds_both) return;

@@ -10,8 +10,8 @@ namespace thaum::game::inline match {
 /// round; no_player: none. Reads GreatWork.
 std::uint32_t great_worker(const MatchContext& context, Tick tick);
 
-/// Time for which a player has held both halves of the Great Work, two rare things that win the round if held
-/// long enough (ticks); 0: the player does not hold both.
+/// Time for which a player has held both halves of the Great Work (ticks); 0: the player does not hold both.
+/// The halves are two rare things; to hold both long enough wins the round.
 Tick held_both_for(const ecs::World& world, std::uint32_t player, Tick tick);
 
 /// Adds the system that tracks, every gameplay tick, who holds both halves of the Great Work (two rare things

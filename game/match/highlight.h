@@ -4,8 +4,8 @@
 
 namespace thaum::game::inline match {
 
-/// The tick at which the two wizards were closest to each other, among ticks at which both lived, each saw
-/// the other and a missile flew.
+/// The tick at which the two wizards were closest to each other. Only ticks count at which both lived, each
+/// saw the other and a missile flew.
 struct Highlight {
     double distance = 1e9;  ///< distance between the wizards at the chosen tick (m)
     Tick tick = 0;          ///< tick of the moment; 0: none found

@@ -26,7 +26,7 @@ void count_kill(ecs::World& world, std::uint32_t victim, std::uint32_t killer) {
 }
 
 /// The player who hurt the victim last. If the last harm came from no player, the foe counts as the killer if
-/// the foe hurt or pushed the victim in the last `blame` ticks: for example by a shot that pushed the victim
+/// the foe hurt or pushed the victim in the last `blame` ticks. An example is a shot that pushed the victim
 /// into a pit.
 std::uint32_t killer_of(const Wizard& wizard, const Health& health, Tick blame, Tick tick) {
     const bool foes_deed = health.foe_did_at != 0 && tick <= health.foe_did_at + blame;

@@ -45,16 +45,16 @@ public:
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
     /// Input frame of the last tick that was played.
     const input::InputFrame& frame() const { return frame_; }
-    /// At the tick just played, the log's hash and the computed one if they differ. std::nullopt if they
-    /// agree, or if the log has no hash for this tick.
+    /// The log's hash at the tick just played, and the computed one. std::nullopt if they agree, or if the
+    /// log has no hash for this tick.
     std::optional<Divergence> mismatch() const;
     /// The first difference from the recorded hashes that was found. After it, the replay no longer shows the
     /// recorded match.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
-    /// One line that says why equal hashes do not prove the replay: the log has no hashes, lacks one of every
-    /// 128th tick, or was closed properly and lacks that of its last tick. Empty if the hashes prove the
-    /// replay. For a log that was cut off, they prove it up to the last hash.
+    /// One line that says why equal hashes do not prove the replay; empty if they do. The log may have no
+    /// hashes, lack one at a multiple of 128 ticks or, if it was closed properly, lack the hash of its last
+    /// tick. For a log that was cut off, the hashes prove the replay up to the last hash.
     std::string missing_hashes() const;
     /// One line if a properly closed log stores another result than the match has now; else empty.
     std::string wrong_result() const;

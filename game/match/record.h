@@ -14,8 +14,8 @@ inline constexpr Tick log_after_end = 500;
 /// Log header of a match that is about to begin. `players` describes the players: "human", "bot 1".
 input::LogHeader log_header(const MatchData& data, const MatchSetup& setup, std::vector<std::string> players);
 
-/// Writes the tick that the match has just played to the log: its input frame, and when they are due the
-/// hashes and the mark of a keyframe (a tick whose state can be saved).
+/// Writes the input frame of the tick that the match has just played to the log. When they are due, also
+/// writes the hashes, and the mark of a keyframe (a tick whose state can be saved).
 void record_tick(const Simulation& match, const input::InputFrame& frame, input::LogWriter& log);
 
 /// Plays one tick and writes it to the log. A null log records nothing.

@@ -36,7 +36,7 @@ ReplayIndex::ReplayIndex(const Playback& at_start, std::size_t max_bytes) : max_
 
 void ReplayIndex::add_state(const Simulation& match) {
     const auto at = match.now();
-    // No lock needed, because only this thread changes the distance between stored states.
+    // This needs no lock, because only this thread changes the distance between stored states.
     if (at % spacing_ != 0) return;
     Bytes state;
     match.save(state);

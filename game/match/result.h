@@ -4,7 +4,7 @@
 
 namespace thaum::game::inline match {
 
-/// What one player achieved by one cause of harm over the whole match, as "12 of 64 hit (19 %), 72 HP, 1
+/// Result of one player with one cause of harm over the whole match, such as "12 of 64 hit (19 %), 72 HP, 1
 /// kill".
 struct ResultRow {
     std::string_view cause;

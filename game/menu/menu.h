@@ -40,7 +40,7 @@ struct MenuEvent {
         left,
         right,
         confirm,
-        other,  ///< a press of any other control: lets its device join, or starts the match
+        other,  ///< a press of a control without another meaning: lets its device join, or starts the match
         back,
         point,      ///< the mouse points at a row of the menu
         control,    ///< any control was pressed, while the menu waits for one to bind
@@ -72,10 +72,11 @@ struct MenuContext {
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, players> arms{};
     bool practice = false;     ///< true: the pause belongs to the practice range
-    bool apprentice = false;   ///< true: the pause belongs to the lessons on the range (the Apprentice)
-    bool first_start = false;  ///< true: the start screen offers the lessons on the range first
+    bool apprentice = false;   ///< true: the pause belongs to the lessons on the practice range (the
+                               ///< Apprentice)
+    bool first_start = false;  ///< true: the start screen offers the lessons on the practice range first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
-    std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can
+    std::string missing{};     ///< why the pause cannot end (whose pad is not plugged in); empty: it can
     std::string half_for{};    ///< player who may go on with half of the keyboard; empty: nobody
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
     std::array<std::string, players>
@@ -83,8 +84,8 @@ struct MenuContext {
     std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
     std::vector<FeelProfile> profiles{};  ///< profiles (sets of strengths) that players have saved on the
-                                          ///< mixer's page
-    /// Kinds of effect on the body that exist, such as blasts; each gets a setting of its strength (fader) on
+                                          ///< profiles (sets of strengths) that players have saved on the
+                                          ///< mixer's page (strengths of all that is felt)
     /// the mixer's page.
     std::vector<tactile::Purpose> body{};
     std::vector<std::string>
@@ -132,13 +133,14 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages of the menu, the shown page last; empty: the menu is closed
     std::array<std::optional<Device>, players> seats;
-    /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since
-    /// such a choice is often made again.
+    /// Row at which the next pause opens. It is the row of a gesture that was drawn or forgotten, since
+    /// players often do that several times.
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< chosen entries: indices into lists of MenuContext
     std::size_t dummy = 0;                        ///< kind of the range's practice dummy (DummyKind)
-    RangeChanges range{};                         ///< changes of the range's rules, such as endless energy
+    RangeChanges range{};                         ///< changes of the practice range's rules, such as endless
+                                                  ///< energy
     std::size_t gesture = 0;                      ///< chosen gesture, an index into MenuContext::gestures
     /// index of the sheet (the bindings of one kind of device, or of the session) on the bindings page
     std::size_t sheet = 0;
@@ -173,12 +175,12 @@ bool esc_ends_waiting(const MenuState& state);
 /// Note for the players that says why the pause cannot end.
 std::string words_of_refusal(const MenuContext& context);
 
-/// What is to be drawn of the menu.
+/// Description of everything that is to be drawn of the menu.
 MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
 /// Title of the window: "Thaum", and with a menu its page and the chosen row, for screen readers and for
-/// those who look at another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". The
-/// start screen's and the pause's own rows stand without a page.
+/// those who look at another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". For
+/// rows of the start screen and of the pause the title names no page.
 std::string window_title(const MenuState& state, const MenuContext& context);
 
 /// Moves the cursors of all open pages so that they stay on the rows on which they were in the context

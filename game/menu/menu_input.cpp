@@ -46,7 +46,7 @@ constexpr MenuKey menu_keys[] = {
 };
 
 /// Keys without a meaning in the menu: modifiers that people press to change windows, and most keys of the
-/// keypad, because the keypad belongs to the half of the keyboard that is a device of its own.
+/// keypad. The keypad belongs to the half of the keyboard that is a device of its own.
 bool means_nothing(const std::string& name) {
     for (const auto* start : {"kp_", "left_", "right_", "caps", "scroll", "num", "print", "menu", "pause"}) {
         if (name.starts_with(start)) return true;

@@ -33,8 +33,8 @@ std::string hint_of(const Page& page, const MenuState& s, const MenuContext& con
     return "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    back: Esc, B, right button";
 }
 
-/// Name of a player's device, and of the second real arm if there is one and the player is the one without
-/// the mouse.
+/// Name of a player's device. If another player has the mouse and there is a second real arm, that arm
+/// belongs to this player, and its name follows.
 std::string name_of_seat(const MenuState& s, const MenuContext& context, const Device& device) {
     const bool mouse = std::any_of(s.seats.begin(), s.seats.end(), [](const auto& seat) {
         return seat && seat->kind == DeviceKind::keyboard_mouse;

@@ -120,8 +120,8 @@ std::size_t joined(const MenuState& state);
 std::optional<std::size_t> seat_of(const MenuState& state, const Device& device);
 /// Lets a device join the match: gives it the first seat (player number) that is free.
 void join(MenuState& state, const Device& device);
-/// Whether a press on the row starts the range, or the lessons there (the Apprentice), for the player who
-/// presses, because nobody has joined.
+/// Whether a press on the row starts the practice range, or the lessons there (the Apprentice), for the
+/// player who presses, because nobody has joined.
 inline bool starts_at_once(const MenuState& state, const Row& row) {
     return row.for_one && joined(state) == 0;
 }

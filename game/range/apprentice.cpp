@@ -148,7 +148,7 @@ DummyKind Apprentice::dummy_kind() const {
 }
 
 /// Counts the player's events for the conditions of the present deed (thing to be done). A wizard who returns
-/// to life appears at a pad, a place to start from, so it is then moved to the step's place again.
+/// to life appears at a pad, a place to start from. The wizard is then moved to the step's place again.
 void Apprentice::measure_events(const Simulation& match) {
     match.events().each_new(seen_events_, [&](const Event& event) {
         if (event.kind == EventKind::spawn && event.subject < players) to_place_[event.subject] = true;

@@ -1,4 +1,4 @@
-// game/range/apprentice.h: the Apprentice, a series of lessons on the range. Its steps are data
+// game/range/apprentice.h: the Apprentice, a series of lessons on the practice range. Its steps are data
 // (assets/apprentice.toml); a new step is a new table there.
 //
 // The goal of a step is a list of deeds (things that the player must do), one after the other. A deed has one

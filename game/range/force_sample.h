@@ -1,6 +1,6 @@
-// game/range/force_sample.h: lets a player on the range feel what one strength setting of the hand's forces
-// (a fader) does: some kicks of a bolt, a blow on a carried thing, or the weight of a thing, scaled by the
-// fader.
+// game/range/force_sample.h: lets a player on the practice range feel what one strength setting of the hand's
+// forces (a fader) does: some kicks of a bolt, a blow on a carried thing, or the weight of a thing, scaled by
+// the fader.
 #pragma once
 
 #include "game/match/simulation.h"

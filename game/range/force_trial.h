@@ -1,7 +1,7 @@
-// game/range/force_trial.h: finds the largest force that a player likes, by trying. On the range the hand is
-// kicked every half second, each time stronger by 5 % of the device's peak, until the player presses fire. A
-// kick is as short as the strongest recoil, so that even the last ones do not reach the thermal limit of the
-// motors.
+// game/range/force_trial.h: finds the largest force that a player likes, by trying. On the practice range the
+// hand is kicked every half second, each time stronger by 5 % of the device's peak, until the player presses
+// fire. A kick is as short as the strongest recoil, so that even the last ones do not reach the thermal limit
+// of the motors.
 #pragma once
 #include <optional>
 #include <string>

@@ -91,8 +91,8 @@ void GestureWall::refuse(const Simulation& match) {
     lines_.push_back(words_of_slip(rules, seconds(rules.shortest)));
 }
 
-/// Number of the gesture that an unrecognised stroke was probably meant to be: one with the same shape but
-/// another direction or rotation; otherwise the recogniser's nearest gesture, if it is likely at all.
+/// Number of the gesture that an unrecognised stroke was probably meant to be. It is one with the same shape
+/// but another direction or rotation, or else the recogniser's nearest gesture, if that is likely at all.
 /// no_gesture: none.
 std::uint32_t GestureWall::gesture_tried(std::uint32_t nearest, int score) const {
     std::uint32_t tried = score > 0 ? nearest : no_gesture;
@@ -228,7 +228,7 @@ void GestureWall::follow(const Simulation& match) {
     const auto* drawn = world.find<DrawnStroke>(wizard);
     const auto now = match.match().played;
     if (drawn != nullptr) {
-        // At the cauldron, a panel (hud/rim_card.h) helps with strokes instead.
+        // No display for a stroke at the cauldron: there a panel (hud/rim_card.h) helps with strokes.
         if (drawn->on_brew != 0) return;
         if (!drawing_) begin_stroke();
         if (match.now() % gameplay_period == 0) stroke_ = points_of(*drawn);

@@ -13,7 +13,7 @@ class Practice;
 
 /// Objects on which a request to the running match can act.
 struct RequestTarget {
-    Practice* practice{};       ///< the practice on the range; null: the match is not on the range
+    Practice* practice{};       ///< the practice; null: the match is not on the practice range
     std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
 };
 
@@ -26,10 +26,10 @@ concept ActsOnRange = requires(const T& request, Practice& practice) {
     request.carry_out(practice);
 };
 
-/// Any small plain struct that has `void carry_out(RequestTarget&) const`, or `void carry_out(Practice&)
-/// const`, which does nothing in a match that is not on the range. Any code may add such a struct, because
-/// neither the menu nor the session nor the simulation has a list of them: whoever asks names the struct, and
-/// the struct acts.
+/// A request to the running match. It holds any small plain struct with a function `void carry_out(
+/// RequestTarget&) const`, or `void carry_out(Practice&) const`, which is called only on the practice range.
+/// A new kind of request is a new struct and needs no change in menu, session or simulation, because none of
+/// them lists the kinds.
 class MatchRequest {
 public:
     static constexpr std::size_t max_bytes = 8;

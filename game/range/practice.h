@@ -39,7 +39,7 @@ private:
     std::jthread thread_;  ///< declared last, so that the thread ends before the other members are destroyed
 };
 
-/// The match of a range with its dummy and scores. The caller passes the data of changed files.
+/// The match of a practice range with its dummy and scores. The caller passes the data of changed files.
 class Practice {
 public:
     /// `devices` are those of the practising player: the simulated hands first, then the real arm if the
@@ -49,8 +49,8 @@ public:
              std::vector<input::ProfileData> profile = {});
 
     Simulation& match() { return *range_.match; }
-    /// Removes a press of fire that began before a step of the lessons, or that chose a force, from the
-    /// practising player's samples until fire is released, so that it fires no shot.
+    /// Removes fire from the practising player's samples until it is released, if the press began before a
+    /// step of the lessons or chose a force. So that press fires no shot.
     void hold_fire_back(input::InputFrame& frame);
     /// Starts the search for the largest force that the player likes.
     void find_force() { force_trial_.begin(); }
@@ -88,7 +88,7 @@ public:
     /// The gesture wall, a display of all gestures. The lessons do not show it.
     GestureWall& wall() { return wall_; }
     /// Continues with other recorded gestures of the player; match() then returns another object. If they are
-    /// refused, the old ones are kept, and the gesture wall (the range's display of gestures) keeps
+    /// refused, the old ones are kept, and the gesture wall (the practice range's display of gestures) keeps
     /// recording.
     void use_gestures(OwnGestures own);
     void show(Picture& picture);

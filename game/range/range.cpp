@@ -53,8 +53,8 @@ Expected<RangeData> load_range(const std::filesystem::path& assets, const DataCh
     if (!dummy) return dummy.error();
     match->round.kills = std::numeric_limits<std::int32_t>::max();
     match->round.length = never;
-    // On the range, only a brew that can no longer become a potion boils over, and ingredients return to
-    // their niches at once.
+    // On the practice range, only a brew that can no longer become a potion boils over, and ingredients
+    // return to their niches at once.
     if (match->cauldron) {
         match->cauldron->spoils_after = never;
         match->cauldron->niche_again = 0;

@@ -15,8 +15,8 @@ struct RangeData {
     DummyRules dummy;
 };
 
-/// Changes of a range's rules that a practising player chooses. The alignment lets every compiler store both
-/// flags in one atomic word.
+/// Changes of a practice range's rules that a practising player chooses. The alignment lets every compiler
+/// store both flags in one atomic word.
 struct alignas(2) RangeChanges {
     bool endless_energy = false;  ///< true: wands are always full of energy
     bool harmless_brew = false;   ///< true: the brew neither slows, lifts nor hurts wizards
@@ -46,8 +46,8 @@ struct RangeMatch {
     Expected<void> use_gestures(std::vector<input::ProfileData> profile);
 };
 
-/// Gives health (HP) to a living wizard, at most up to that of a new wizard. Only the range may do so,
-/// because it is not recorded.
+/// Gives health (HP) to a living wizard, at most up to that of a new wizard. Allowed on the practice range
+/// only, because its matches are not recorded.
 void heal_wizard(Simulation& match, std::uint32_t player, double points);
 
 /// Ends what a living wizard's wand does, such as holding a thing, and gives the wizard full health.
@@ -57,8 +57,8 @@ void refresh_wizard(Simulation& match, std::uint32_t player);
 /// empty hands.
 void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place);
 
-/// Makes a running range. `more`: further devices, such as arms. Recorded gestures in `profile` that do not
-/// suit the data are left out.
+/// Makes a running range. `more`: further devices, such as arms. If a recorded gesture in `profile` does not
+/// suit the data, none of them is used.
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
                       std::uint64_t seed, std::vector<input::DeviceSpec> more = {},
                       std::vector<input::ProfileData> profile = {});

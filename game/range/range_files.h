@@ -1,5 +1,5 @@
-// game/range/range_files.h: reads the range's data files again when they change on disk. Only a range may do
-// so: a recorded match must keep the data that its log's header names.
+// game/range/range_files.h: reads the practice range's data files again when they change on disk. Only a
+// range may do so: a recorded match must keep the data that its log's header names.
 #pragma once
 #include "core/file_watch.h"
 #include "game/range/range.h"
@@ -12,7 +12,7 @@ struct Reload {
     std::string line;                       ///< names of the files read, or the error with file, line and key
 };
 
-/// Watches the data files of a range.
+/// Watches the data files of a practice range.
 class RangeFiles {
 public:
     static Expected<RangeFiles> open(const std::filesystem::path& assets, const DataChoice& choice);

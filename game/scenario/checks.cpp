@@ -1,4 +1,4 @@
-// Checks on the input frames of a run: they test that a match depends only on its input, from any starting
+// Checks on the input frames of a run. They test that a match depends only on its input, from any starting
 // point and at any delay.
 #include <algorithm>
 #include <chrono>

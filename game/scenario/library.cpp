@@ -262,8 +262,8 @@ int counted_by_length(lua_State* lua) {
     return call_wrapped(lua);
 }
 
-/// Wraps string.byte and utf8.codepoint, which read the text from argument 2 to argument 3, by default one
-/// character, so that a call costs the length of that part.
+/// Wraps string.byte and utf8.codepoint, so that a call costs the length of the text that it reads. They read
+/// from argument 2 to argument 3, by default one character.
 int counted_by_range(lua_State* lua) {
     std::size_t size = 0;
     luaL_checklstring(lua, 1, &size);
@@ -473,8 +473,7 @@ void open_coroutine(lua_State* lua) {
     wrap(lua, -1, "close", call_catcher);
 }
 
-/// Level of the long bracket that may begin with the '[' at `at`, which is its number of '='; -1 if there is
-/// none.
+/// Level (number of '=') of the long bracket that may begin with the '[' at `at`; -1 if there is none.
 int long_level(std::string_view source, std::size_t at) {
     std::size_t end = at + 1;
     while (end < source.size() && source[end] == '=') ++end;

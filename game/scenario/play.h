@@ -178,7 +178,7 @@ double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
 
-/// What the column `with` in the table of events contains, such as the cause of a hit; empty if the event has
+/// Value of the column `with` in the table of events, such as the cause of a hit; empty if the event has
 /// none.
 std::string with_of(const Play& play, const Event& event);
 /// Records an event that did not happen in the match, so that it is heard and felt.
@@ -193,7 +193,7 @@ struct FlyingMissile {
 /// All missiles, in the order of the wands.
 std::vector<FlyingMissile> missiles_of(const Play& play);
 
-/// A kind of event that is heard or felt. If it has no sound or no effect, that name is empty.
+/// A kind of event that is heard or felt, with the names of its sound and of its effect; an empty name: none.
 struct SensedKind {
     std::string_view kind, sound, tactile;
 };

@@ -33,9 +33,9 @@ namespace thaum::game::inline scenario {
 /// Layouts, captions and mixed sound of one run.
 class PlaySenses {
 public:
-    /// Prepares the senses. `layouts`: names of files in assets/tactile/layouts, in addition to the figure in
-    /// the view. `mixed`: whether sounds are also mixed as loudspeakers would play them. The error names the
-    /// faulty file, or says that there is no OpenAL.
+    /// Prepares the senses. `layouts`: names of files in assets/tactile/layouts, in addition to the figure of
+    /// the body in the view. `mixed`: whether sounds are also mixed as loudspeakers would play them. The
+    /// error names the faulty file, or says that there is no OpenAL.
     static Expected<std::unique_ptr<PlaySenses>> create(const std::filesystem::path& assets,
                                                         const Presentation& shown,
                                                         const std::vector<std::string>& layouts, bool mixed);

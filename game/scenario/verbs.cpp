@@ -421,8 +421,8 @@ void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
     lua_setfield(lua, -2, "reason");
 }
 
-/// Pushes the potions that act on the player, each with the time left (s), and `work_half`: whether the
-/// player holds Azoth, one half of the Great Work, which wins a round.
+/// Pushes the potions that act on the player, each with the time left (s), and `work_half`. This tells
+/// whether the player holds Azoth, one half of the Great Work, which wins a round.
 void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto& potions = part<Potions>(play, player);
     const auto played = play.match->match().played;
@@ -487,8 +487,8 @@ constexpr WizardReader wizard_readers[] = {
                 std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).device.position); }},
     {"force", [](lua_State* lua, const Play& p,
                  std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).servo.safety.output); }},
-    // Largest energy that forces which must create none (passive sources) have created so far: what they gave
-    // to the hand beyond what hand and world gave to them (J).
+    // Largest energy that passive sources, forces which must create no energy, have created so far (J): the
+    // energy that they gave to the hand beyond what hand and world gave to them.
     {"created",
      [](lua_State* lua, const Play& p, std::uint32_t i) {
          lua_pushnumber(lua, part<HandState>(p, i).servo.energy.most_created);

@@ -89,9 +89,9 @@ int verb_crystal_ray(lua_State* lua, void* context) {
 /// key.
 constexpr float clear_miss = 0.1F;
 
-/// Verb: the nearest voxel that is solid though it clearly lies outside the key, the shape to be carved
-/// ("melt"), or empty though it clearly lies inside ("construct"), with that word; nil if there is none.
-/// `kind`: one of these words, or nil for both.
+/// Verb: the nearest faulty voxel, and a word for its fault. "melt": it is solid though it clearly lies
+/// outside the key, the shape to be carved. "construct": it is empty though it clearly lies inside. nil if
+/// there is none. `kind`: one of these words, or nil for both.
 int verb_crystal_fault(lua_State* lua, void* context) {
     auto& play = *static_cast<Play*>(context);
     const auto& crystal = touched_crystal(began(context), lua);
@@ -120,8 +120,8 @@ int verb_crystal_fault(lua_State* lua, void* context) {
     return 2;
 }
 
-/// Verb: state of a wizard's work on crystals: tool, whether it cuts, its position, whether the wizard has
-/// the Lens (the reward), and for how long both halves of the Great Work were held (s).
+/// Verb: state of a wizard's work on crystals: the tool, whether it cuts, and its position. Also whether the
+/// wizard has the Lens (the reward), and for how long both halves of the Great Work were held (s).
 int verb_carver(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
@@ -143,8 +143,8 @@ int verb_carver(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Verb that changes the world by itself (sets the scene), so that no log is kept: gives a wizard one half of
-/// the Great Work, which wins a round: Azoth or the Lens.
+/// Verb: gives a wizard one half of the Great Work, which wins a round: Azoth or the Lens. The verb changes
+/// the world by itself (sets the scene), so no log is kept.
 int verb_give(lua_State* lua, void* context) {
     auto& play = began(context);
     const auto wizard = wizard_of(world_of(play), arg::player(lua, 1));

@@ -43,8 +43,8 @@ int verb_scrying(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Verb: the orb's hidden core, the axis of its strongest vortex: its point nearest to the orb's middle, and
-/// its direction, in the device frame of a wizard who works at the orb.
+/// Verb: the orb's hidden core, the axis of its strongest vortex, in the device frame of a wizard who works
+/// at the orb: the point nearest to the orb's middle, and the direction.
 int verb_core(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto core = core_in_hand(play, arg::player(lua, 1));
@@ -54,8 +54,8 @@ int verb_core(lua_State* lua, void* context) {
     return 2;
 }
 
-/// Verb: strength of a haptic mode, given by its key, at a value of its property (N): as the wizard has drawn
-/// it, or else as the rules give it.
+/// Verb: strength of a haptic mode at a value of its property (N), as the wizard has drawn it, or else as the
+/// rules give it. The mode is given by its key.
 int verb_curve(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);

@@ -54,7 +54,7 @@ int verb_senses(lua_State* lua, void* context) {
     return 0;
 }
 
-/// Number of the layout named by the second argument; by default that of the figure in the view.
+/// Number of the layout named by the second argument; by default that of the body's figure in the view.
 std::size_t read_layout(lua_State* lua, const PlaySenses& senses) {
     if (lua_isnoneornil(lua, 2)) return 0;
     const auto name = arg::string(lua, 2, "a layout");
@@ -167,8 +167,8 @@ int verb_loopback(lua_State* lua, void* context) {
 
 // ---- events by hand, and checks ---------------------------------------------------------------------------
 
-/// Verb that changes the match by itself (sets the scene), so that no log is kept: records an event that did
-/// not happen, so that it is heard and felt.
+/// Verb: records an event that did not happen, so that it is heard and felt. The verb changes the match by
+/// itself (sets the scene), so no log is kept.
 int verb_happen(lua_State* lua, void* context) {
     auto& play = began(context);
     const Options options(lua, 1, "happen", {"kind", "subject", "by", "amount", "at"});

@@ -7,8 +7,8 @@
 namespace thaum::game::inline senses {
 namespace {
 
-/// Force on the hand above which its source is put into words, and the lower force down to which the words
-/// stay, so that they do not flicker (N).
+/// Force on the hand above which its source is put into words, and the lower force at which the words end
+/// (N). The difference keeps the words from flickering.
 constexpr double told_from_n = 0.15, told_to_n = 0.08;
 /// Minimum time for which a force is described with the same side, so that words do not flicker while the
 /// force turns (ticks).

@@ -30,8 +30,8 @@ public:
     Senses(const Senses&) = delete;
     Senses& operator=(const Senses&) = delete;
 
-    /// Adds a layout (places of the motors of a jacket or pad) for both players, and returns its number;
-    /// number 0 is the figure in the view. Keeps a reference to the layout.
+    /// Adds a layout (places of the motors of a jacket or pad) for both players, and returns its number.
+    /// Number 0 is the body's figure in the view. Keeps a reference to the layout.
     std::size_t add(const tactile::Layout& layout);
     /// Computes what is heard and felt. Call this after each tick; only every eighth tick is used.
     void follow(const Simulation& match);
@@ -39,7 +39,7 @@ public:
     const SenseData& data() const { return *data_; }
     const MatchEffects& effects() const { return effects_; }
     const MatchSounds& sounds() const { return sounds_; }
-    /// What both players hear in the newest frame.
+    /// Sounds of the newest frame, as both players hear them.
     const audio::AudioFrame& heard() const { return frame_; }
     std::span<const HeardLine> lines(std::uint32_t player) const { return lines_.at(player).lines(); }
     const tactile::TactileFrame& felt(std::uint32_t player, std::size_t layout) const {
@@ -61,7 +61,7 @@ private:
     std::array<std::unique_ptr<TactileScene>, players> scenes_{};
     std::array<HandWords, players> hands_{};
     std::array<HeardLines, players> lines_{};
-    /// tick (Simulation::now) at which any cell of the figure was last active; 0: never
+    /// tick (Simulation::now) at which any cell of the body's figure was last active; 0: never
     std::array<Tick, players> felt_at_{};
     Tick now_{};
 };

@@ -9,8 +9,9 @@
 
 namespace thaum::game::inline settings {
 
-/// One action on one sheet of bindings. Sheets 0 to 2 belong to the kinds of device in settings_hands; sheet
-/// 3 has the keys of the session, such as the pause, whatever devices the players use.
+/// One action on one sheet of bindings (the bindings of one kind of device, or of the session). Sheets 0 to 2
+/// belong to the kinds of device in settings_hands. Sheet 3 has the keys of the session, such as the pause,
+/// whatever devices the players use.
 struct Slot {
     std::size_t sheet{}, action{};
     bool operator==(const Slot&) const = default;
@@ -33,8 +34,8 @@ bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
 /// Tests whether a control can be bound to the action: a control of the sheet's kind of device, or on the
-/// session's sheet a key. Steps of the wheel always move a held thing nearer or farther, so they cannot also
-/// be bound to that.
+/// session's sheet a key. Steps of the wheel always move a held thing nearer or farther, so they cannot be
+/// bound to that action as well.
 bool fits(Slot slot, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);
@@ -43,7 +44,7 @@ const std::vector<input::Control>& controls_of(const Settings& settings, Slot sl
 /// and returns those actions.
 std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& control);
 
-/// Label of a sheet: "Keypad and arrows", "Keys for everybody".
+/// Label of a sheet of bindings: "Keypad and arrows", "Keys for everybody".
 std::string label_of_sheet(std::size_t sheet);
 /// Label of an action: "Use wand". An action that selects a wand has the wand's name.
 std::string label_of(Slot slot, const WandNames& wands);

@@ -8,8 +8,8 @@
 
 namespace thaum::game::inline settings {
 
-/// The first function gives the name of the fader of a kind of effect ("Hits"), the second one what the fader
-/// changes, in one sentence.
+/// Name of the fader of a kind of effect ("Hits"). The function effect_of gives, in one sentence, what the
+/// fader changes.
 std::string_view label_of(tactile::Purpose purpose);
 std::string_view effect_of(tactile::Purpose purpose);
 

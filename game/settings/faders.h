@@ -19,8 +19,8 @@ struct Fader {
 /// One fader for each source of force in the brew, in the order of haptics::fluid_modes.
 using Faders = std::array<Fader, haptics::fluid_modes.size()>;
 
-/// The first function gives the name of a fader's source ("Viscosity"), the second one its effect in one
-/// sentence.
+/// Name of a fader's source of force ("Viscosity"). The function effect_of_fader gives the fader's effect in
+/// one sentence.
 std::string_view label_of_fader(std::size_t source);
 std::string_view effect_of_fader(std::size_t source);
 

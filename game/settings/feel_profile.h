@@ -24,7 +24,8 @@ FeelProfile feel_of(const Settings& settings, std::size_t player);
 /// Whether two profiles have the same values. Names are not compared.
 bool feels_alike(const FeelProfile& a, const FeelProfile& b);
 
-/// Writes and reads the text of a profile's file. Missing keys get their defaults. `file`: name in messages.
+/// Text of a profile's file (`written`), and the profile that such a text contains (`parse_feel_profile`).
+/// Missing keys get their defaults. `file`: name in messages.
 std::string written(const FeelProfile& profile);
 Expected<FeelProfile> parse_feel_profile(std::string_view toml, const std::string& file);
 

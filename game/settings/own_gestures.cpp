@@ -33,8 +33,8 @@ std::optional<std::string> fault_of(const MatchData& data, std::vector<input::Pr
                 "): record it anew with shorter strokes");
 }
 
-/// Text about the more frequent of two mistakes, strokes of the player's own gesture taken for the other one,
-/// or the reverse: "Star: 12 % of such strokes are taken for it".
+/// Text about the more frequent of two mistakes: strokes of the player's own gesture taken for the other
+/// gesture, or the reverse. An example is "Star: 12 % of such strokes are taken for it".
 std::string words_of(const gesture::Pair& pair, bool own_is_first, std::string_view other) {
     const auto &own = own_is_first ? pair.a_as_b : pair.b_as_a,
                &others = own_is_first ? pair.b_as_a : pair.a_as_b;

@@ -14,7 +14,7 @@
 
 namespace thaum::game::inline settings {
 
-/// What became of a gesture that the player has recorded on the practice range.
+/// Result of the check of a gesture that the player has recorded on the practice range.
 enum class Verdict : std::uint8_t {
     none,    ///< nothing was recorded
     kept,    ///< accepted, and used from now on
@@ -47,9 +47,9 @@ bool forget_own_gesture(const std::filesystem::path& folder, const std::string& 
 std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData> profile,
                                                  const gesture::Gesture& gesture, std::uint32_t player);
 
-/// Refuses a gesture that cannot be used together with the player's other gestures, or that is so similar to
-/// one of them that strokes would be mistaken (gesture/collisions.h). The error names the other one: "it is
-/// too like V: 12 % of such strokes are taken for it". `profile`: recorded gestures so far.
+/// Refuses a gesture that cannot be used together with the player's other gestures. Also refuses one that is
+/// so similar to another that strokes would be mistaken (gesture/collisions.h). The error names that other
+/// one: "it is too like V: 12 % of such strokes are taken for it". `profile`: recorded gestures so far.
 Expected<void> check_own_gesture(const gesture::Gesture& gesture, const MatchData& data,
                                  const std::vector<input::ProfileData>& profile, std::uint32_t player);
 

@@ -192,7 +192,7 @@ const std::vector<std::string_view>& force_names();
 /// Reads a value from its key in a table of the file. Without the key the value is not changed.
 template <class Of>
 void read(const ConfigTable& table, const SettingOf<Of>& setting, Of& values);
-/// Value as written in the file (`written`) and as shown on the settings page (`shown`).
+/// Text of a value: `written` gives it as in the file, `shown` as on the settings page.
 template <class Of>
 std::string written(const SettingOf<Of>& setting, const Of& values);
 template <class Of>
@@ -201,10 +201,10 @@ std::string shown(const SettingOf<Of>& setting, const Of& values);
 /// choice comes the first.
 template <class Of>
 void change(const SettingOf<Of>& setting, Of& values, int steps);
-/// Copies a value.
+/// Copies the value of one setting from some settings to others.
 template <class Of>
 void copy_value(const SettingOf<Of>& setting, const Of& from, Of& to);
-/// Sets a value to its default.
+/// Sets a setting to its default value.
 template <class Of>
 void reset(const SettingOf<Of>& setting, Of& values);
 

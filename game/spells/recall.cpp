@@ -18,7 +18,7 @@ struct RecallData {
     double speed{};         ///< largest speed of the thing's flight (m/s)
     double acceleration{};  ///< largest acceleration of the thing (m/s^2)
     double before{};        ///< distance from the eye to the nearest point of a thing that has arrived (m)
-    double aside{};         ///< speed that a harsh recall gives to things in the way (m/s)
+    double aside{};         ///< speed that a harsh (forceful) recall gives to things in the way (m/s)
     Tick gives_up{};        ///< number of ticks after which a thing that has not arrived falls
 };
 
@@ -26,7 +26,7 @@ struct RecallData {
 struct Recalled {
     ecs::Entity thing{};
     Tick until{};       ///< tick at which the thing falls if it has not arrived
-    double strength{};  ///< strength of the spell: 1 for a gentle stroke, more for a harsh one
+    double strength{};  ///< strength of the spell: 1 for a gentle stroke, more for a harsh (forceful) one
     THAUM_COMPONENT(Recalled, thing, until, strength);
 };
 

@@ -40,8 +40,9 @@ struct Blast {
     double charge{};
     Tick dies_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< handle of the shooter's body in the physics
-    /// 1: the shooter held the Lens at the shot, so shields absorb none of the ball's harm
+    std::uint32_t shooter{};  ///< number of the shooter's body in the physics
+    /// 1: the shooter held the Lens (reward for carving) at the shot, so shields absorb none of the ball's
+    /// harm
     std::uint32_t lens{};
     std::uint32_t spare{};
     THAUM_COMPONENT(Blast, position, velocity, charge, dies_at, player, shooter, lens, spare);
@@ -124,7 +125,7 @@ void stop_charging(const WandUse& use) {
 }
 
 /// After the shot, reduces the steady force in proportion to how far the recoil has risen, until the recoil's
-/// peak, so that their sum never exceeds the greater of the two.
+/// peak. So the sum of the two forces never exceeds the greater of them.
 void give_way(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.leaning == 0) return;
     const auto at = static_cast<std::uint32_t>(tick - hand.went_off);

@@ -33,7 +33,7 @@ struct Bolt {
     vec3 velocity{};  ///< velocity of the bolt (m/s, world)
     Tick dies_at{};
     std::uint32_t player{};
-    /// handle of the shooter's body in the physics, which the bolt passes through
+    /// number of the shooter's body in the physics, which the bolt passes through
     std::uint32_t ignores{};
     THAUM_COMPONENT(Bolt, position, velocity, dies_at, player, ignores);
 };
@@ -92,8 +92,8 @@ void fire(const WandUse& use, const BoltData& data) {
         if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
-    // Shots are possible only in gameplay ticks (every eighth), so the time of the next shot follows from
-    // when the last one was due, not from when it was made. The rate is then exact on average.
+    // Shots are possible only in gameplay ticks (every eighth). The time of the next shot follows from the
+    // time at which the last one was due, not from when it was made, so the rate is exact on average.
     hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
     shoot(use, data);
 }

@@ -336,8 +336,8 @@ void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
     hand.yaw = wrapped(hand.yaw);
 }
 
-/// Keeps the same side of the thing towards the wizard, by an implicit step of a critically damped rotational
-/// spring with the coupling's frequency and a bounded torque.
+/// Keeps the same side of the thing towards the wizard. Uses an implicit step of a critically damped
+/// rotational spring, with the coupling's frequency and a bounded torque.
 void hold_turned(physics::Physics& physics, const LiftData& data, const LiftHand& hand) {
     const auto key = hand.held.index;
     const auto& body = physics.desc(key);

@@ -50,7 +50,7 @@ struct Lob {
     vec3 velocity{};  ///< velocity of the stone (m/s, world)
     Tick bursts_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< handle of the shooter's body in the physics
+    std::uint32_t shooter{};  ///< number of the shooter's body in the physics
     double venom{};           ///< harm rate that a potion adds for those whom the stone hits (HP/s)
     Tick venom_lasts{};       ///< duration of the harm that the potion adds (ticks)
     THAUM_COMPONENT(Lob, position, velocity, bursts_at, player, shooter, venom, venom_lasts);

@@ -27,8 +27,8 @@ void end_coupling(physics::Physics& physics, physics::Key body, WandCoupling& co
 
 // The rope's length follows the spring, gravity along the rope and the centrifugal acceleration. The equation
 // is solved exactly, with gravity and centrifugal acceleration held constant over the step. The force acts
-// along the rope's direction in the middle of the step; with the direction at the start, the swing would gain
-// energy, 5 % a minute with steps of 1 ms.
+// along the rope's direction in the middle of the step. With the direction at the start, the swing would gain
+// energy: 5 % a minute with steps of 1 ms.
 std::optional<haptics::CouplingResult> hang(const Rope& rope, double mass, vec3 place, vec3 velocity,
                                             vec3 gravity, double dt) {
     const vec3 to = rope.anchor - place;

@@ -115,8 +115,8 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     return gesture;
 }
 
-/// Text of the gesture file. Before, the gesture passes the checks that `thaum gesture check` and a match
-/// make when they read the file.
+/// Text of the gesture file. First checks the gesture as `thaum gesture check` and a match do when they read
+/// the file.
 Expected<std::string> text_of(const gesture::Gesture& gesture, const std::string& path) {
     for (const auto& stroke : gesture.strokes) {
         if (stroke.size() > gesture::max_template_points)

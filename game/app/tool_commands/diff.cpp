@@ -76,8 +76,8 @@ Expected<Bytes> state_here(const std::string& log, Tick tick) {
     return state;
 }
 
-/// State of a replay at a tick, computed while `threads` - 1 further replays of the log run beside it, each
-/// on its own thread. So a state that wrongly depends on what other threads do is found.
+/// State of a replay at a tick. While it is computed, `threads` - 1 further replays of the log run beside it,
+/// each on its own thread. So a state that wrongly depends on what other threads do is found.
 Expected<Bytes> state_among(const std::string& log, Tick tick, std::uint64_t threads) {
     Jobs jobs(static_cast<unsigned>(threads - 1));
     for (std::uint64_t i = 1; i < threads; ++i) jobs.run([&] { (void)state_here(log, tick); });

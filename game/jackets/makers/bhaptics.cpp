@@ -51,7 +51,7 @@ public:
     PlayerLink& operator=(const PlayerLink&) = delete;
 
     Expected<void> connect(const NetAddress& address);
-    /// Sends a request as soon as the Player takes it. An earlier one that still waits is dropped.
+    /// Sends a request as soon as the Player takes it. An earlier request that still waits is dropped.
     void send(std::string request);
     /// Sends and receives what is possible at once, without waiting.
     void serve();
@@ -93,7 +93,7 @@ bool PlayerLink::start_context() {
     info.gid = -1;
     info.user = this;
     info.fd_limit_per_thread = 16;
-    // Otherwise libwebsockets would obey the variable http_proxy and connect to another machine.
+    // Without this value, libwebsockets would obey the variable http_proxy and connect to another machine.
     info.http_proxy_address = "none:0";
     const std::lock_guard lock(context_mutex());
     lws_set_log_level(0, nullptr);

@@ -20,7 +20,7 @@ struct LabEye {
 LabEye turned(const LabEye& eye, double yaw, double pitch, double away_times);
 render::Camera camera_of(const LabEye& eye);
 
-/// What the screen shows besides the brew: keys, numbers about the flow, messages.
+/// Contents of the screen besides the brew: keys, numbers about the flow, messages.
 struct LabPage {
     LabHands hands{};
     LabEye eye{};

@@ -50,8 +50,8 @@ struct LabSession {
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
     bool stirring = false, turning = false, pouring = false;
     int pours_due = 0;  ///< presses of the pour key since the last step
-    /// true: the brew must start anew; the lab must end; the bowl has changed, so its picture must be built
-    /// again
+    /// true: the brew must start anew (wants_reset); the lab must end (leaves); the bowl has changed, so its
+    /// picture must be built again (bowl_changed)
     bool wants_reset = false, leaves = false, bowl_changed = false;
     double height{};  ///< height of a stirring ladle above the level surface (m), <= 0
     /// Position of the ladle, also while it is out of the brew (m, basin frame)
@@ -75,8 +75,8 @@ vec3 in_basin(const LabState& lab, vec3 place) {
     return place;
 }
 
-/// Position at which the mouse points in the horizontal plane at the ladle's height; in a nearly horizontal
-/// view, in the vertical plane through the middle. std::nullopt if the mouse points at no place of that
+/// Position at which the mouse points in a plane: the horizontal one at the ladle's height or, in a nearly
+/// horizontal view, the vertical one through the middle. std::nullopt if the mouse points at no place of that
 /// plane.
 std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     if (!session.cursor || size.height <= 0) return std::nullopt;
@@ -95,8 +95,8 @@ std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     return in_basin(session.plan.lab, eye + way * ray);
 }
 
-/// Moves the ladle by one step: down to the position of the mouse while stirring, along with the mouse, and
-/// up again when stirring ends.
+/// Moves the ladle by one step. While stirring, the ladle goes down to the position of the mouse and moves
+/// with it. When stirring ends, the ladle goes up again.
 void move_ladle(LabSession& session, render::Size size) {
     const auto target = session.stirring ? pointed_at(session, size) : std::nullopt;
     if (target && !session.ladle) session.ladle = vec3(target->x, above, target->z);

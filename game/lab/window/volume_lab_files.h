@@ -11,8 +11,8 @@ namespace thaum::game::inline lab {
 /// True for the name of a volume that the lab generates; any other name is a file.
 bool is_made(std::string_view name);
 
-/// Protects the files of colours and materials beside that of the first volume from being overwritten,
-/// whether or not the command has read them (core/write_rule.h).
+/// Protects the files of colours and materials that lie beside the first volume's file from being
+/// overwritten, whether or not the command has read them (core/write_rule.h).
 void protect_companions(const VolumeLabPlan& plan);
 
 /// Checks that no two outputs are the same file, and that the command reads none of them. A saved body counts

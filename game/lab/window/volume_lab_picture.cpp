@@ -72,8 +72,8 @@ void add_edges(vec3 workspace, render::MeshId rod, std::vector<render::Instance>
     }
 }
 
-/// Colours of the haze as which a volume is drawn, from cool for the smallest value (`share` 0) to warm for
-/// the largest one (1).
+/// Colours of the haze that shows a volume, from cool for the smallest value (`share` 0) to warm for the
+/// largest one (1).
 fvec3 ramp(float share) {
     const fvec3 low = render::colour(0x3E6FB0), middle = render::colour(0xE0A878),
                 high = render::colour(0xFFF4E2);

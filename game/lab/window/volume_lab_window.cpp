@@ -34,7 +34,7 @@ constexpr double min_way = 1e-4;        // minimum displacement for which the ha
 constexpr std::int64_t rest_ns = 400'000'000;
 constexpr float text_px = 14;
 
-/// What the last picture showed, to find out whether anything has moved since.
+/// State that the last picture showed. A difference from the present state means that something has moved.
 struct Seen {
     vec3 tip{}, aim{}, eye{};
     std::uint32_t body{};

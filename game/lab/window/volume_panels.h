@@ -41,7 +41,7 @@ struct VolumePanelState {
     bool saves = false, saves_session = false;
     bool hand_held = false;  ///< true: the hand stays where it is, whatever the mouse does
     UnsavedQuestion question{};
-    int history = 0;               ///< undo and redo: -1: undo, 1: redo, 0: neither
+    int history = 0;               ///< step in the history of changes: -1 undo, 1 redo, 0 neither
     std::string note{};            ///< message about the last action
     std::array<char, 256> path{};  ///< text of the field for a file path
 

@@ -122,7 +122,7 @@ void add_arms(MatchContext& context, const std::vector<Arm>& before) {
         for (const auto& old : before) {
             if (old.device != d) continue;
             go_on_with(old, arm);
-            arm.state.servo.last_pulse = 0;  // a new HandState numbers its pulses from 1 again
+            arm.state.servo.last_pulse = 0;  // a new HandState numbers its pulses (kicks) from 1 again
         }
         for (auto& model : arm.models) model = world.create(PastModel{});
         world.create(arm);

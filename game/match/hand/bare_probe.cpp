@@ -8,8 +8,8 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Surfaces are searched in a sphere around the line from the hand's proxy to the wand's tip. The sphere
-/// reaches this much beyond the line (m), more than any motion of the tip in a tick.
+/// Surfaces are searched in a sphere around the line from the hand's proxy, which stops at surfaces, to the
+/// wand's tip. The sphere reaches this much beyond the line (m), more than any motion of the tip in a tick.
 constexpr double margin = 0.15;
 /// Displacement of the device frame in one tick above which the wizard was moved by a jump, such as a return
 /// to life, and did not walk (m).
@@ -37,8 +37,8 @@ HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
     return frame;
 }
 
-/// Whether the wizard feels surfaces. A wizard whose wand holds something by a tether (a spring to the hand)
-/// or who works at a station, such as the cauldron, feels that instead.
+/// Whether the wizard feels surfaces. A wizard feels something else while the wand holds something by a
+/// tether (a spring to the hand), or while the wizard works at a station, such as the cauldron.
 bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state) {
     return wand_per_hand(context, wizard) > 0 && context.data.haptic_rules.probe.stiffness > 0 &&
            !(hand_state.tether.stiffness > 0) && !context.world.has<Dead>(wizard) &&
@@ -46,8 +46,8 @@ bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState&
 }
 
 /// Pushes a touched prop (a loose thing). Its later hits are credited to the player who pushed it, unless the
-/// other player moved the prop within the last seconds (WizardRules::blame): a wizard hit by a thrown thing
-/// has usually touched that thing with the wand, too.
+/// other player moved it within the last seconds (WizardRules::blame). The reason is that a wizard hit by a
+/// thrown thing has usually touched that thing with the wand, too.
 void push(MatchContext& context, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place,
           const Prop& deed) {
     const auto thing = context.world.entity(contact.key);

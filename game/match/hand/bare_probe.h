@@ -13,10 +13,10 @@
 
 namespace thaum::game::inline match {
 
-/// Fills in those parts of the haptic model that concern the wand's tip: the surfaces near it (the patch)
-/// with their number, the motion of the device frame, and the free point at which the proxy starts after a
-/// jump. Stores the device frame in HandState. The patch is empty if no surface is within reach. Reads
-/// resource::Physics.
+/// Fills in those parts of the haptic model that concern the wand's tip. They are the surfaces near it (the
+/// patch) with their number, the motion of the device frame, and the free point at which the proxy starts
+/// after a jump. Stores the device frame in HandState. The patch is empty if no surface is within reach.
+/// Reads resource::Physics.
 void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
                       haptics::HapticModel& model);
 

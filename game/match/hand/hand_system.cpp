@@ -60,8 +60,8 @@ double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
     return glm::length(force);
 }
 
-/// Sets the haptic primitives of the model: those of the orb or crystal at which the hand works, otherwise
-/// none.
+/// Sets the haptic primitives (simple forces) of the model: those of the orb or crystal at which the hand
+/// works, otherwise none.
 void feel_station(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model) {
     model.field_motion = 0;

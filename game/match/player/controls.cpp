@@ -135,7 +135,7 @@ std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
 }
 
 /// Buttons of the sample. If fire is pressed while the button Trace is held, a spell cast by a wand's key
-/// becomes harsh (stronger), and no shot is fired until fire is released and pressed again.
+/// becomes harsh (stronger). No shot is then fired until fire is released and pressed again.
 std::uint32_t buttons_of(const input::DeviceSample& sample, Controls& controls) {
     constexpr auto fire = bit(Button::fire);
     const bool fired_before = (controls.held & fire) != 0;

@@ -88,8 +88,8 @@ bool is_about(const PlayerSetting& setting, T PlayerSettings::*value) {
     return kind != nullptr && kind->value == value;
 }
 
-/// The strength of a force at the hand (fader) that a setting sets, if that force can be felt on the range;
-/// none for other settings.
+/// The strength of a force at the hand (fader) that a setting sets, if that force can be felt on the practice
+/// range; none for other settings.
 input::HandFader felt_fader_of(const PlayerSetting& setting) {
     if (is_about(setting, &PlayerSettings::carried_weight)) return input::HandFader::weight;
     if (is_about(setting, &PlayerSettings::carried_blows)) return input::HandFader::blows;

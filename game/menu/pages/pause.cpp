@@ -1,4 +1,4 @@
-// Menu page: the pause of a match, of the range and of the lessons there (the Apprentice).
+// Menu page: the pause of a match, of the practice range and of the lessons there (the Apprentice).
 #include "core/text.h"
 #include "game/menu/page.h"
 

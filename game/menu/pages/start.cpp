@@ -29,8 +29,8 @@ void join_or_start(MenuState& s, const MenuContext& context, const Device& devic
         join(s, device);
 }
 
-/// Requests the range, or the lessons there (the Apprentice), for one player; the place of the other player
-/// stays empty.
+/// Requests the practice range, or the lessons there (the Apprentice), for one player; the place of the other
+/// player stays empty.
 void practise(const RowPress& press, MenuRequest request) {
     press.state.seats = {press.device};
     start(press.state, request, press.context);

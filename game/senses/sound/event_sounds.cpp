@@ -33,7 +33,7 @@ SoundNumber sound_of(const SoundWriting& writing, const Event& event) {
     return kind < sounds.events.size() ? sounds.events[kind] : std::nullopt;
 }
 
-/// Position of an event: its own, or that of the player to whom it happened.
+/// Position of an event: its own or, if it has none, the position of the player to whom it happened.
 vec3 place_of(const SoundWriting& writing, const Event& event) {
     const auto& info = info_of(event.kind);
     if (info.placed || event.subject >= players) return event.place;
@@ -54,8 +54,8 @@ void tell_end_of_round(SoundWriting& writing) {
 /// listener's own body. Its caption names the side from which the harm came, as the body feels it; a fall has
 /// no side.
 void begin_own_hurt(SoundWriting& writing, const Event& event, SoundNumber sound, double gain) {
-    // Distance of a made-up sound source on the side from which the harm came (m). Any value does that is too
-    // far to count as the listener's own place.
+    // Distance of a made-up sound source on the side from which the harm came (m). It only has to be larger
+    // than the distance up to which a sound counts as the listener's own.
     constexpr double told_distance = 5;
     const auto& world = writing.match.world();
     const auto& rows = writing.match.data().presentation->events;

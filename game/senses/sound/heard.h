@@ -14,7 +14,7 @@
 
 namespace thaum::game::inline senses {
 
-/// Which captions a player has chosen to see.
+/// Captions that a player has chosen to see.
 enum class HeardWish : std::uint8_t { none, important, all };
 
 /// Side from which a sound comes. `here`: from the listener, or from no place.

@@ -45,8 +45,8 @@ void add_event_sounds(SoundWriting& writing);
 void add_wizard_sounds(SoundWriting& writing);
 void add_thing_sounds(SoundWriting& writing);
 void add_brew_sounds(SoundWriting& writing);
-/// Adds the hum of an orb while a wizard scries. Its pitch rises towards the orb's hidden core (the axis of a
-/// vortex).
+/// Adds the hum of an orb while a wizard scries (searches it). Its pitch rises towards the orb's hidden core
+/// (the axis of a vortex).
 void add_orb_sounds(SoundWriting& writing);
 void add_clock_sounds(SoundWriting& writing);
 void add_score(SoundWriting& writing);

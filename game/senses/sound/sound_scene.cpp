@@ -7,8 +7,8 @@
 namespace thaum::game::inline senses {
 namespace {
 
-/// Muffling by a wall between ear and source (0: none, 1: full), and the share of the remaining change that
-/// is made at each check, so that the muffling does not jump.
+/// Muffling by a wall between ear and source (0: none, 1: full). Share of the remaining change that is made
+/// at each check, so that the muffling does not jump.
 constexpr double wall_muffles = 0.75, wall_share = 0.5;
 /// A wall no farther than this from the source belongs to the source and does not muffle it (m).
 constexpr double own_wall = 0.4;

@@ -44,7 +44,7 @@ using BandStrengths = std::array<double, felt_bands>;
 
 class FeltSound {
 public:
-    /// Keeps a reference to `courses`.
+    /// Keeps a reference to `courses` (strengths of the sounds over time), which must outlive this object.
     explicit FeltSound(const FeltCourses& courses) : courses_(courses) {}
 
     /// Reads the audio frame of the last eight ticks.

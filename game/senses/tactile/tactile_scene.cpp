@@ -23,8 +23,8 @@ constexpr double min_raise = 0.02;
 /// Keys by which lasting effects are known from frame to frame.
 constexpr std::uint32_t heart_key = 1, stir_key = 2, work_key = 3, first_sound_key = 10;
 
-/// Part of the body on which a player feels an event: the side on which the event's position, or the player
-/// who caused the event, lies.
+/// Part of the body on which a player feels an event. It is on the side of the event's position, or on the
+/// side of the player who caused the event.
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);
@@ -165,8 +165,8 @@ void TactileScene::feel_own(const Simulation& match) {
     }
 }
 
-/// If the foe holds both Azoth and the Lens, and so is about to win, the player feels a heartbeat, which
-/// becomes faster the longer the foe holds them.
+/// If the foe holds both Azoth and the Lens (two rare things), and so is about to win, the player feels a
+/// heartbeat. It becomes faster the longer the foe holds them.
 void TactileScene::feel_foes_work(const Simulation& match) {
     const auto& world = match.world();
     if (!match.data().crystal || world.count<GreatWork>() == 0) return;
@@ -176,7 +176,8 @@ void TactileScene::feel_foes_work(const Simulation& match) {
     feel(effects_.great_work, {.strength = std::min(share, 1.0), .key = work_key}, match.now());
 }
 
-/// Sounds are felt only when no event is: they are silent for a moment after each event.
+/// Lets the player feel sounds. For a moment after each event they are silent, so that only the event is
+/// felt.
 void TactileScene::feel_sound(Tick now) {
     constexpr double least = 1.0 / 256;  // smallest strength that is played; less starts no motor
     const bool quiet = now < quiet_until_ && quiet_until_ - now <= quiet_after_event;

@@ -26,8 +26,8 @@ struct BodyCue {
     EventKind event{};
 };
 
-/// Strengths of effects for the figure in the view. It leaves out the recoil of the player's own shots, since
-/// that would cover the other effects.
+/// Strengths of effects for the body's figure in the view. It leaves out the recoil of the player's own
+/// shots, since that would cover the other effects.
 tactile::Faders figure_faders();
 
 /// Time since any cell of the body's figure in a view was last active, which was at tick `felt_at` (s). Very

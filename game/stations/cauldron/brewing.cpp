@@ -23,8 +23,8 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
 /// Pouch, the component that holds the ingredient, enters the World only after the tick.
 using Takers = std::array<bool, players>;
 
-/// Gives the ingredient that lies in the niche at `place` to the nearest wizard in reach whose hands are
-/// empty.
+/// Gives the ingredient that lies in the niche (a place of ingredients) at `place` to the nearest wizard in
+/// reach whose hands are empty.
 void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers& takers) {
     auto& world = context.world;
     const auto& rules = *context.data.cauldron;
@@ -85,9 +85,9 @@ void refuse_second(MatchContext& context, Tick tick) {
         });
 }
 
-/// Returns the carried ingredient to the nearest of its niches, where it becomes available only later. So a
-/// wizard who stands at that niche does not pick it up again at once, and one who stands at another niche can
-/// pick up that niche's ingredient.
+/// Returns the carried ingredient to the nearest of its niches (places of ingredients), where it becomes
+/// available only later. So a wizard at that niche does not pick it up again at once. A wizard at another
+/// niche can pick up that niche's ingredient.
 void put_away(MatchContext& context, ecs::Entity e, std::uint32_t player, vec3 body, const Pouch& pouch,
               Tick tick) {
     Niche* home = nullptr;
@@ -162,8 +162,8 @@ void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 // ---- ownership -------------------------------------------------------------------------------------------
 
-/// If both ladles are in the brew, the player whose ladle did more work becomes the brew's owner, provided
-/// that this work is at least CauldronRules::min_wrest. A brew without ingredients has no owner.
+/// If both ladles are in the brew, the player whose ladle did more work becomes the brew's owner. That work
+/// must be at least CauldronRules::min_wrest. A brew without ingredients has no owner.
 void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
     if (cauldron.begun == 0) return;
     std::array<double, players> work{-1, -1};
@@ -217,8 +217,8 @@ void grant_boon(MatchContext& context, Cauldron& cauldron, Tick tick) {
                      .place = cauldron.middle});
 }
 
-/// Heals the player whom a well-mixed brew rewards (the boon) while that player's wizard is near the bowl, at
-/// most up to the health of a new wizard.
+/// Heals the player whom a well-mixed brew rewards (the boon), while that player's wizard is near the bowl.
+/// Health grows at most up to that of a new wizard.
 void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     if (tick >= cauldron.boon_until) return;
     const double full = context.data.wizard.health;

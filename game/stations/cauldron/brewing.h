@@ -13,13 +13,13 @@ void spawn_niches(MatchContext& context);
 double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 
 /// Adds the brewing systems. In every gameplay tick they handle pick-up and drop of ingredients, ownership,
-/// energy for stirring with the flow, the boon (healing by a well-mixed brew), and boiling over. In every
-/// tick they reduce the weight of wizards near a light brew.
+/// and energy for stirring with the flow. They also handle the boon (healing by a well-mixed brew) and
+/// boiling over. In every tick they reduce the weight of wizards near a light brew.
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
-/// Adds the system that returns a carried ingredient to a niche (a place where ingredients lie ready) when
-/// its wizard presses Throw and no wand holds a thing. It must run before the wands: they let go of their
-/// thing in the tick of the press, and after that no wand would seem to hold one.
+/// Adds the system that returns a carried ingredient to a niche (a place where ingredients lie ready). It
+/// does so when the wizard presses Throw and no wand holds a thing. It must run before the wands: they let go
+/// of their thing in the tick of the press, and after that no wand would seem to hold one.
 void add_put_away_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Whether the brew is light enough to lift wizards near it.

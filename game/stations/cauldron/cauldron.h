@@ -37,8 +37,8 @@ struct BrewWork {
     Brew brew;
     Basin basin;
     std::vector<std::uint32_t> wet;  ///< indices of the cells inside the basin, from Lattice::at
-    /// Viscosity that the rules give the pure brew, without a potion's change (m^2/s), and factor by which a
-    /// potion changes the pure brew's density; both for this step.
+    /// Viscosity that the rules give the pure brew, without a potion's change (m^2/s). Factor by which a
+    /// potion changes the pure brew's density. Both are for this step.
     double viscosity{}, density{1};
     fluid::StepReport report{};
     BrewFigures figures{};
@@ -93,8 +93,8 @@ void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3
 /// Height of the brew's surface at a place (m, world). Returns the level at rest if `work` is null.
 double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place);
 
-/// Weight of the newer of the two newest fluid states in an interpolation between them: 0 when the newer
-/// state was stored, 1 one fluid step later.
+/// Share of the newer of the two newest fluid states in an interpolation between them. It is 0 when the newer
+/// state was stored, and 1 one fluid step later.
 double share_of_step(const Cauldron& cauldron, Tick tick);
 
 /// Factors by which a potion changes the pure brew in the present fluid step.

@@ -79,8 +79,8 @@ const Recipe* finished_mix(const MatchContext& context, const Cauldron& cauldron
     return nullptr;
 }
 
-/// Fault of a stroke that lies not in its drawing but in the brew, such as another owner; none if a recipe
-/// waits for a stroke.
+/// Fault of a stroke that comes from the brew and not from the drawing, such as another owner of the brew;
+/// none if a recipe waits for a stroke.
 BrewFault fault_of_brew(const Cauldron& cauldron, const Recipe* recipe, std::uint32_t player) {
     if (cauldron.begun == 0) return BrewFault::unfinished;
     if (cauldron.owner != player) return BrewFault::foreign;

@@ -48,10 +48,10 @@ void drop_for_recipe(MatchContext& context, Cauldron& cauldron, std::uint32_t pl
 /// Records that a fourth ingredient has no room in the brew.
 void refuse_fourth(MatchContext& context, const Cauldron& cauldron, std::uint32_t player, Tick tick);
 
-/// A stroke drawn on the brew. The recipe asks for it while the share that the newest ingredient has reached
-/// (Cauldron::reached) lies in a range. Drawing also mixes the brew and so raises the share. So the end of
-/// the range is compared with the share when the stroke began, and its beginning with the share when the
-/// stroke was finished.
+/// A stroke drawn on the brew. The recipe asks for it while the share of the brew that the newest ingredient
+/// has reached (Cauldron::reached) lies in a range. Drawing also mixes the brew and so raises the share. So
+/// the end of the range is compared with the share when the stroke began. The beginning of the range is
+/// compared with the share when the stroke was finished.
 struct BrewStroke {
     StrokeReading reading{};
     double begun_at{};  ///< share of the brew reached by the newest ingredient as the stroke began, 0 to 1

@@ -44,10 +44,11 @@ bool is_carved(const ecs::World& world, std::uint32_t number) {
     return carved;
 }
 
-/// Turns a crystal that shows its narrow side to a wizard who begins to carve, so that the flat side with the
-/// key is in front. Otherwise the hand would begin inside the crystal and could not get out.
+/// If a crystal shows its narrow side to a wizard who begins to carve, turns it so that the flat side with
+/// the key is in front. Otherwise the hand would begin inside the crystal and could not get out.
 void show_flat_side(const ecs::World& world, const AtStation& station, Crystal& crystal) {
-    // The crystal stays as its last carver turned it if its flat side is off by at most this angle (rad).
+    // The crystal stays as its last carver turned it if its flat side faces the wizard to within this angle
+    // (rad).
     constexpr double as_left = pi / 6;
     const double off = std::remainder(station.yaw - crystal.yaw, pi);
     if (std::abs(off) <= as_left || is_carved(world, crystal.number)) return;

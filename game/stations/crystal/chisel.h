@@ -21,8 +21,8 @@ bool within_reach_of_crystal(const MatchData& data, const Crystal& crystal, vec3
 /// Pose of the device frame of a hand that carves (world).
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station);
 
-/// Sets the haptic primitives of the crystal in a wizard's haptic model, for one tick. The wizard must have a
-/// Chisel. Reads Chisel, AtStation, Crystal and CrystalDensity.
+/// Sets the haptic primitives (simple forces) of the crystal in a wizard's haptic model, for one tick. The
+/// wizard must have a Chisel. Reads Chisel, AtStation, Crystal and CrystalDensity.
 void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model);
 
@@ -32,8 +32,8 @@ void add_carving_systems(MatchContext& context, CrystalResource& crystals, ecs::
 /// Adds the system that moves the wizards' tools to their hands, every tick. It runs after the haptics.
 void add_chisel_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Takes the Lens from a wizard who dies. The Lens, won by carving a crystal, is one half of the Great Work;
-/// a wizard who holds both halves long enough wins the round. Writes Lens, EventLog and resource::Journal,
+/// Takes the Lens from a wizard who dies. The Lens, won by carving a crystal, is one half of the Great Work.
+/// A wizard who holds both halves long enough wins the round. Writes Lens, EventLog and resource::Journal,
 /// reads Wizard and Motion.
 void lose_lens(MatchContext& context, ecs::Entity wizard, Tick tick);
 

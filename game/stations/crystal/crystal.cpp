@@ -52,8 +52,8 @@ void make_rough(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) 
 /// (rad).
 double yaw_of(vec3 middle) { return middle.x == 0 && middle.z == 0 ? 0 : det::atan2(-middle.x, -middle.z); }
 
-/// Fits the cached data to a World whose crystals are untouched, and reserves their memory, so that the first
-/// hit on a crystal need not allocate. Reserved memory that is never used takes none of the machine's.
+/// Fits the cached data to a World whose crystals are untouched. Reserves their memory, so that the first hit
+/// on a crystal need not allocate. Reserved memory that is never used takes up no memory of the machine.
 void fit_bodies(const ecs::World& world, CrystalBodies& bodies) {
     bodies.list.resize(crystals_in(world));
     for (auto& body : bodies.list) {
@@ -76,8 +76,7 @@ void reserve_voxels(ecs::World& world) {
     world.reserve_blob<CrystalColour>(crystals * crystal_voxels * sizeof(field::Rgb8));
 }
 
-/// Point where the density is that of the surface, on the line from `from`, which is outside, to `to`, which
-/// is inside.
+/// Point on the line from `from` (outside) to `to` (inside) at which the density is that of the surface.
 vec3 bisected(const field::Grid& grid, vec3 from, vec3 to) {
     for (int i = 0; i < 24; ++i) {
         const vec3 middle = 0.5 * (from + to);

@@ -16,8 +16,8 @@ constexpr double bit_thick = 2.4;
 constexpr double collar_thick = 1.3;
 /// Density from which a voxel counts as solid.
 constexpr float solid = 0.5F;
-/// Minimum share of the key's volume that bites (balls cut out of the body) remove, and overlap of body and
-/// key below which no more lumps (balls added to the body) are added.
+/// Minimum share of the key's volume that bites, which are balls cut out of the body, remove. Overlap of body
+/// and key below which no more lumps, which are balls added to the body, are added.
 constexpr double bitten = 0.2, rough_overlap = 0.52;
 
 /// A box, relative to the body's middle, in voxels of a body with `usual_voxels` along each edge.
@@ -111,8 +111,8 @@ struct Ball {
     double radius{};
 };
 
-/// A ball near a random point of the key: on the middle line of ring, shaft or bits, then displaced by up to
-/// `off` voxels along each axis.
+/// A ball near a random point of the key. The point is on the middle line of ring, shaft or bits. The ball is
+/// then displaced by up to `off` voxels along each axis.
 Ball ball_at(const KeyShape& key, Random& random, double off) {
     vec3 on;
     const double which = random.uniform();

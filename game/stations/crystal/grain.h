@@ -17,7 +17,8 @@ field::Edit carve_crystal(MatchContext& context, CrystalBodies& bodies, Crystal&
 enum class DabWorth : std::uint8_t { nothing, helps, spoils };
 
 /// Finds out what a tool would do to the overlap, on a copy of the voxels near it, without changing the
-/// match. `dab.seconds`: duration of that trial. The crystal must be touched.
+/// match. `dab`: one use of the tool, for which `dab.seconds` is the time that is tried. The crystal must be
+/// touched.
 DabWorth worth_of_dab(const MatchContext& context, const CrystalBodies& bodies, const Crystal& crystal,
                       const field::Tool& tool, const field::Dab& dab);
 

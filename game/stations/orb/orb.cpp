@@ -9,15 +9,15 @@ namespace thaum::game::inline stations {
 namespace {
 
 /// Least and greatest distance from the orb's middle to the hidden core, the axis of the flow's first vortex,
-/// as a share of the extent (the edge of the box that the flow fills). The least is not 0, because a probe at
-/// rest in the middle must not find the core.
+/// as a share of the edge of the flow's box. The least is not 0, because a probe at rest in the middle must
+/// not find the core.
 constexpr double min_off_middle = 0.1, max_off_middle = 0.22;
-/// Half the length of the part of the hidden core (the axis of the flow's first vortex) that a hand can reach
-/// on a device with a shallow workspace, as a share of the extent (the edge of the box that the flow fills).
-/// The conditions under which players can find the core must hold along this part.
+/// Half the length of the part of the hidden core that a hand can reach on a device with a shallow workspace,
+/// as a share of the edge of the flow's box. The hidden core is the axis of the flow's first vortex. Along
+/// this part the conditions must hold under which players can find the core.
 constexpr double searched_half = 0.2;
 /// Maximum distance between the hidden core (the axis of the flow's first vortex) and the point around which
-/// the whole flow turns, as a share of the extent (the edge of the box that the flow fills).
+/// the whole flow turns, as a share of the edge of the flow's box.
 constexpr double max_shift = 0.03;
 /// Minimum ratio of the curl of the hidden core's vortex to that of another vortex.
 constexpr double min_lead = 1.2;
@@ -29,8 +29,8 @@ double curl_of(const field::RankineVortex& vortex) { return 2 * std::abs(vortex.
 
 vec3 across(vec3 way, vec3 axis) { return way - glm::dot(way, axis) * axis; }
 
-/// Distance between the axis of the hidden core (the flow's first vortex) and the point beside it around
-/// which the whole flow turns, estimated at one point of the axis (m).
+/// Distance between the hidden core (the axis of the flow's first vortex) and the point beside it around
+/// which the whole flow turns (m). It is estimated at one point of the axis.
 double shift_at(const field::VortexFlow& flow, vec3 place) {
     const auto& core = flow.vortices[0];
     return glm::length(across(flow(place).value, core.axis)) * core.radius / std::abs(core.speed);

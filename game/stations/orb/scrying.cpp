@@ -13,7 +13,7 @@ namespace {
 
 using input::Button;
 
-/// The wizard who scries, and the present tick of play.
+/// The wizard who scries (searches the orb), and the present tick of play.
 struct Scryer {
     ecs::Entity wizard;
     std::uint32_t player{};
@@ -68,7 +68,7 @@ void choose_modes(MatchContext& context, const Scryer& scryer, vec3 place, const
 // ---- curves -----------------------------------------------------------------------------------------------
 
 /// Draws the strength curve of the newest active mode along the hand's motion since the last call. The first
-/// millimetres draw nothing, so that a key chord changes no curve.
+/// millimetres draw nothing, so that a key chord (a wand's key while Trace is held) changes no curve.
 void draw(const MatchContext& context, const Scryer& scryer, const DrawnStroke* stroke, WornModes& modes,
           Scrying& scrying) {
     const bool held = stroke != nullptr && stroke->over == 0;

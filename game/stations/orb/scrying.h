@@ -12,7 +12,7 @@
 
 namespace thaum::game::inline stations {
 
-/// Whether a wizard can scry, given the position of the body's middle.
+/// Whether a wizard can scry (search the orb), given the position of the body's middle.
 bool within_reach_of_orb(const MatchData& data, const Orb& orb, vec3 body);
 
 /// Adds the system that starts and ends scrying and chooses modes, every gameplay tick. It runs before the

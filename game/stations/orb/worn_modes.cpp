@@ -27,7 +27,7 @@ field::Placement placement_in(const HandFrame& frame, const Orb& orb) {
             .scale = 1 / frame.metres_per_metre};
 }
 
-/// Adds the haptic primitives by which one mode of the orb is felt.
+/// Adds the haptic primitives (simple forces) by which one mode of the orb is felt.
 void add_mode(const OrbMode& mode, const field::TransferFunction& strength, const field::FilterSource& source,
               const field::Placement& placement, const haptics::ModeInput& input,
               haptics::PrimitiveSet& set) {

@@ -21,9 +21,9 @@ std::uint32_t last_worn(const WornModes& modes);
 /// -1). `count`: number of all modes. It is a mode that is off; no_mode if every mode is on.
 std::uint32_t neighbour_of_last(const WornModes& modes, std::size_t count, int step);
 
-/// Point on the plane on which a wizard draws a mode's curve: the value of the flow's property that the mode
-/// reads, and the strength of its force (N). `hand`: position of the tip; `reach`: half of the workspace (m,
-/// device frame).
+/// Point on the plane on which a wizard draws a mode's curve. Its coordinates are the value of the flow's
+/// property that the mode reads, and the strength of the mode's force (N). `hand`: position of the tip;
+/// `reach`: half of the workspace (m, device frame).
 vec2 on_sheet(const OrbRules& rules, const OrbMode& mode, vec3 hand, vec3 reach);
 
 /// Draws the part of a strength curve that lies between two points of the plane on which a wizard draws it.
@@ -34,9 +34,9 @@ void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
 /// list of modes has changed, all modes start anew.
 void refit_modes(const OrbRules& before, const OrbRules& current, WornModes& modes);
 
-/// Fills in the haptic primitives of a hand that scries, for one tick of play: those of the active modes at
-/// the place of the proxy (the hand's point in the orb) in the last tick. The wizard must scry. A hand that
-/// draws a curve gets none. Reads Scrying, AtStation, WornModes and Orb.
+/// Fills in the haptic primitives (simple forces) of a hand that scries, for one tick of play. They belong to
+/// the active modes at the place that the proxy (the hand's point in the orb) had in the last tick. The
+/// wizard must scry. A hand that draws a curve gets none. Reads Scrying, AtStation, WornModes and Orb.
 void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
               haptics::HapticModel& model);
 

@@ -19,7 +19,7 @@ public:
     ecs::Mask writes(const ecs::World& world) const override { return world.mask<WandBelt>(); }
 
 private:
-    double strength_;  ///< poison of those whom the lob hits (HP/s)
+    double strength_;  ///< harm by poison to those whom the lob hits (HP/s)
     Tick poisons_;     ///< duration of that poison (ticks)
 };
 
