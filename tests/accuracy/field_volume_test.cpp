@@ -221,7 +221,7 @@ TEST(Placement, FramesLeadThereAndBack) {
     EXPECT_EQ(to_parent(Placement{}, vec3(1, 2, 3)), vec3(1, 2, 3));
 }
 
-/// Sphere, plane and vortex, written directly as formulas in the parent frame.
+/// Placed fields must equal a sphere, a plane and a vortex whose formulas are written in the parent frame.
 TEST(Placement, APlacedFormulaIsTheFormulaOfThePlacedBody) {
     Random random = random_stream(6, 6);
     for (int run = 0; run < 300; ++run) {

@@ -15,7 +15,7 @@
 namespace thaum::fluid {
 namespace {
 
-Team alone;  // no thread helps here
+Team alone;  // team without further threads
 
 constexpr Edges open_above{Edge::no_slip, Edge::free_slip, Edge::no_slip};
 constexpr Edges round_about{Edge::periodic, Edge::periodic, Edge::periodic};

@@ -145,7 +145,7 @@ TEST(LevelContact, AFlatFieldBeforeTheSurfaceNeedsNoGradient) {
 }
 
 TEST(LevelContact, AGrooveAndACornerHoldTheProxyStill) {
-    // The outside of a block as a solid, so that the block is a hollow: three walls meet in its corner.
+    // The block is hollow: everything outside of it is solid, so three walls meet in its corner.
     const Block inner{.half = vec3(0.02)};
     const auto hollow = [&](vec3 p) {
         const Scalar s = inner(p);
@@ -161,7 +161,7 @@ TEST(LevelContact, AGrooveAndACornerHoldTheProxyStill) {
             if (tick > 250) change = std::max(change, glm::distance(force, last));
             last = force;
         }
-        EXPECT_LE(change, 1e-3);  // largest change of force (N), of total forces of 1.3 and 1.6 N
+        EXPECT_LE(change, 1e-3);  // largest change of the force (N); the force itself is 1.3 or 1.6 N
         EXPECT_LE(glm::distance(hand.proxy, glm::min(goal, vec3(0.02))), 1e-5);
     }
 }

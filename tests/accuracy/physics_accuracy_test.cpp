@@ -105,7 +105,7 @@ TEST(PhysicsAccuracy, ElasticCollisionKeepsMomentumAndEnergy) {
         const double momentum = 3 * physics.velocity(1).x + physics.velocity(2).x;
         ASSERT_NEAR(momentum, 5, 1e-12) << i;
     }
-    // Velocity after an elastic collision: (m1 - m2) v1 / M + 2 m2 v2 / M.
+    // Elastic collision of the masses m1 and m2: v1 becomes ((m1 - m2) v1 + 2 m2 v2) / (m1 + m2).
     EXPECT_NEAR(physics.velocity(1).x, 0.5, 1e-9);
     EXPECT_NEAR(physics.velocity(2).x, 3.5, 1e-9);
     EXPECT_NEAR(impulse, 4.5, 1e-9);

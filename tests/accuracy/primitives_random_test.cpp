@@ -63,8 +63,8 @@ void expect_balanced(std::initializer_list<Primitive> primitives, vec3 centre) {
 
 TEST(PrimitivesRandom, LinesThatCrossBalance) {
     using enum PrimitiveKind;
-    // Two crossing lines, each given by a point and a direction. With normals that are nearly along a line,
-    // the proxy would be inaccurate.
+    // Two crossing lines, each given by a point and a direction. The proxy becomes inaccurate if a solver
+    // describes a line by normals that are nearly parallel to the line.
     expect_balanced({{line,
                       {0.0047499410918187346, 0.0041211621887245718, -0.0086053205396185457},
                       {-0.70721573916907943, -0.026820298561281, -0.70648890285454324},

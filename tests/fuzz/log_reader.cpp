@@ -1,5 +1,6 @@
-// Fuzzes the reader of match logs. The log's checksums detect plain damage. So most mutants get correct
-// checksums, and get as far as zstd, the decoder, and the match that the header describes.
+// Fuzzes the reader of match logs. Checksums in a log detect simple damage. Most mutants (mutated logs)
+// therefore get correct checksums, so that they also test decompression, the decoder, and the making of the
+// match.
 #include <zstd.h>
 
 #include <cstring>

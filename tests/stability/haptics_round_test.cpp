@@ -483,7 +483,7 @@ Crossing crossing(SurfaceKind kind, bool mesh, Random& random) {
 /// former fault: the edge of a box and the seam of two triangles held the proxy beside a round solid, with up
 /// to 12 N.
 TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
-    // Tolerance (m): over 0.1 um, a fiftieth of the force is along the surface.
+    // Tolerance (m): a fiftieth of a step of 0.1 um. A fiftieth of the force may be along the surface.
     constexpr double tolerance = 2e-9;
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const bool mesh : {false, true}) {

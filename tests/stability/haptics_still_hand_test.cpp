@@ -231,7 +231,7 @@ TEST(StillHand, AHandThatCreepsOrTremblesInSeveralModesFeelsNoChatter) {
 
 TEST(StillHand, ADamperMakesNoJumpOfAWallThatIsMet) {
     const field::Plane ground{.through = {}, .normal = {0, 1, 0}};
-    // Spring and damper are those of an omega.3 in the lab: 5,000 N/m and 15 N s/m.
+    // An omega.3 (a haptic device) has a stiffness of 5,000 N/m and a damping of 15 N s/m in the lab.
     for (const double speed : {0.03, 0.1, 0.3}) {
         FeltChange felt({{find_mode("isosurface"), any_field(field_of<Scalar>(ground)), {}}}, 5000, 15);
         felt.hand.uses[0].settings.strength = field::constant(9);

@@ -267,14 +267,14 @@ TEST(HapticsSwitches, WarmMotorsMakeNoJumpWhenForcesGoOffAndOn) {
     }
 }
 
-/// What forces that push a hand in quick succession have done to it.
+/// Effects of forces that push a hand in quick succession.
 struct Pushed {
     double max_change{};  ///< largest change of the output in a tick, beyond that of a spring (N)
     double max_work{};    ///< largest work on the hand within a second (J)
 };
 
-/// A loosely held device that swings, and a directed force that jumps every few ticks, mostly to the way that
-/// the hand moves. Motor heat is left out, because it would hide work.
+/// Moves a swinging, loosely held device by a directed force that changes every few ticks, mostly to the
+/// direction of the hand's motion. Motor heat is left out, because it would hide work.
 Pushed push_again_and_again(DeviceSpec spec, std::uint64_t seed) {
     spec.continuous_force = 10 * spec.peak_force;
     const Servo servo = servo_of(spec, 1);

@@ -185,8 +185,8 @@ TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 400; }));
     const auto current = report();
-    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x; 0.26 N of
-    // friction holds up to 0.43 mm away.
+    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x at the position x (m). Dry friction of
+    // 0.26 N can hold the tip up to 0.43 mm away from there.
     EXPECT_NEAR(current.position[0], 0.00667, 0.0005);
     EXPECT_NEAR(current.force[0], -200 * current.position[0], 0.02);
     EXPECT_NEAR(hand.x_um, current.position[0] * 1e6, 56);
@@ -351,7 +351,7 @@ struct TwoArms {
     }
 };
 
-/// Each hand is held at another place, and each arm gets another force: nothing of one arm reaches the other.
+/// Each hand is held at another place, and each arm gets another force. Neither may affect the other arm.
 TEST(OpenHaptics, TwoArmsHaveTheirOwnPlacesAndForces) {
     const Way right("0 10 0 0 0\n"), left("0 -10 0 0 1\n");
     TwoArms arms("path=" + left.file, "path=" + right.file);

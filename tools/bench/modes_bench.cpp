@@ -48,8 +48,8 @@ constexpr double radius = 40 * spacing;    // radius of the ball (m)
 
 // ---- fields -----------------------------------------------------------------------------------------------
 
-/// Spherical contact: the scan as a small ball feels it. Value and gradient are means over the corners of a
-/// cube that is inscribed in the ball and one voxel wide.
+/// A scan as felt by spherical contact (with a small ball instead of a point). Value and gradient are means
+/// over the corners of a cube that is inscribed in the ball and one voxel wide.
 struct BallMean {
     field::Grid grid{};
 

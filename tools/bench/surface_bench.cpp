@@ -165,8 +165,8 @@ struct CrowdRun {
     double pressed{};  // mean force (N)
 };
 
-/// Does what a match does for a wizard who turns and whose hand slides on a crate: looks up the near
-/// surfaces, publishes them, and runs the servo step.
+/// Does the work of a match for a wizard who turns while a hand slides on a crate: looks up the surfaces near
+/// the hand, passes them to the servo, and runs the servo step.
 void feel_crowd(CrowdRun& run) {
     const haptics::DeviceSpec spec{
         .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
