@@ -1,5 +1,5 @@
-// Accuracy of carving: removed volumes compared with closed forms, with orders of convergence; change over
-// time at a given strength; symmetry; conservation of mass.
+// Tests the accuracy of carving: compares removed volumes with closed forms, and checks orders of
+// convergence, the change over time at a given strength, symmetry and the conservation of mass.
 #include <gtest/gtest.h>
 
 #include <cmath>

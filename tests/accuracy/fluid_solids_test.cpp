@@ -1,6 +1,6 @@
-// Solids and implicit viscosity. A projection removes the divergence, never adds energy, and its cost does
-// not grow with the grid. Fluid at rest in a bowl stays at rest. Implicit viscosity converges to the exact
-// solution with the time step.
+// Tests solids and implicit viscosity. A projection must remove the divergence and never add energy, and its
+// cost must not grow with the grid. Fluid at rest in a bowl must stay at rest. Implicit viscosity must
+// converge to the exact solution with the time step.
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -227,7 +227,7 @@ void stir_a_bowl(int n) {
 }
 
 TEST(FluidSolids, AStirredBowlKeepsItsSubstancesAndLosesItsEnergy) {
-    // Sizes whose rows are, and are not, a multiple of the length of the processor's vectors.
+    // 16 is a multiple of the length of the processor's vectors, 13 is not.
     for (const int n : {16, 13}) {
         SCOPED_TRACE(n);
         stir_a_bowl(n);

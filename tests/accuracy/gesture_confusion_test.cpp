@@ -1,4 +1,5 @@
-// Recognition of the shipped gestures (assets/gestures) in strokes and scribbles of generated users.
+// Tests how well the shipped gestures (assets/gestures) are recognised in strokes and scribbles of generated
+// users.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Implicit surfaces, and contact with the surface on which a field has a given value.
+// Tests implicit surfaces, and the contact with a surface on which a field has a given value.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,7 +129,7 @@ TEST(LevelContact, ATipDoesNotFallThroughWhatItCrossesInOneTick) {
 }
 
 TEST(LevelContact, AFlatFieldBeforeTheSurfaceNeedsNoGradient) {
-    // Density 0 outside and 1 inside, with an edge of 1 mm.
+    // The density is 0 outside and 1 inside, with an edge 1 mm wide.
     const auto step = [](vec3 p) {
         const double t = std::clamp(-p.y / 0.001, 0.0, 1.0);
         return Scalar{t, {0, t > 0 && t < 1 ? -1000 : 0, 0}};

@@ -19,8 +19,8 @@ struct Grip {
     Hand hand;
 };
 
-// Hand and device weigh 0.25 kg, the device has a damping of 0.5 N s/m. Damping is critical if damping + 0.5
-// = 2 sqrt(400 * 0.25) = 20.
+// Hand and device together weigh 0.25 kg, except with the lighter last hand. The device has a damping of 0.5
+// N s/m, so damping is critical if the hand's damping + 0.5 = 2 sqrt(400 * 0.25) = 20.
 constexpr Grip grips[] = {
     {"loose", {.mass = 0.15, .stiffness = 400, .damping = 3, .max_target_speed = 1e9}},
     {"nearly critical", {.mass = 0.15, .stiffness = 400, .damping = 19.5001, .max_target_speed = 1e9}},

@@ -1,4 +1,4 @@
-// How volumes feel: forces that follow opacity, shells, walls, materials, and scanned surfaces.
+// Tests how volumes feel: forces that depend on opacity, shells, walls, materials, and scanned surfaces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using bench::TouchedModes;
 using field::field_of;
 using field::Scalar;
 
-/// A tip that feels a volume of density as in a scan.
+/// A simulated tip (the point that the hand moves) with the forces of a volume of densities, such as a scan.
 struct FeltVolume {
     VolumeFeel feel{};
     TouchedModes hand{};

@@ -1,5 +1,5 @@
-// Accuracy of the proxy that balances a spring against random and degenerate sets of haptic primitives:
-// independent residual, properties of a proximal map, brute-force search.
+// Tests the accuracy of the proxy that balances a spring against random and degenerate sets of haptic
+// primitives: by an independent residual, by the properties of a proximal map, and by brute-force search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -295,8 +295,8 @@ TEST(PrimitivesRandom, TheResidualIsTrueEverywhere) {
 }
 
 TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
-    // With these strengths the proxy would be moved away by 1e9 times the size of the set, where its kinks
-    // are indistinguishable.
+    // With such strengths, the proxy would be moved away by 1e9 times the size of the set. Seen from there,
+    // its kinks (places where a force jumps) are indistinguishable.
     const Scale scale{1e3, 1e-6, 1};
     Random random{11};
     for (int i = 0; i < 20'000; ++i) {

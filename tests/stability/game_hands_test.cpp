@@ -1,7 +1,7 @@
-// Stress on hands that use lift and swing: invalid poses, jumps of position, hands that shake at 10 m/s,
-// springs of 10^6 N/m, things that are wedged, held by both wizards or destroyed, devices that vanish, and a
-// match that stalls. Forces must stay finite and within the force limit, energy bounded, things inside the
-// walls, and wizards below a speed limit.
+// Stress tests of hands that use lift and swing: invalid poses, jumps of position, hands that shake at 10
+// m/s, springs of 10^6 N/m, things that are wedged, held by both wizards or destroyed, devices that vanish,
+// and a match that stalls. Forces must stay finite and within the force limit, energy bounded, things inside
+// the walls, and wizards below a speed limit.
 #include <memory>
 
 #include "core/text.h"
@@ -19,7 +19,7 @@ std::int32_t anything(Random& random) {
     }
 }
 
-/// A wand by its name, and what makes the hand lift or swing with it, so that one test serves both wands.
+/// A wand to test, lift or swing: its name, and the function that makes the hand use the wand.
 struct StressedWand {
     const char* name;
     void (*begin)(HandsRig&);

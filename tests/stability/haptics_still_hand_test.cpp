@@ -352,8 +352,8 @@ TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
     EXPECT_EQ(go({0.01, 0, 0}, {0.012, 0, 0}), vec3(0.012, 0, 0));
     EXPECT_LE(go({0.012, 0, 0}, {}).x, 0.012 - 0.001);
     EXPECT_GT(go({0.011, 0, 0}, {}).x, 0);
-    // However the position that balances all forces jumps, the proxy, which follows it, must move less and
-    // less in each tick at rest.
+    // The position that balances all forces jumps at random. While the hand rests, the proxy, which follows
+    // that position, must move less and less.
     Random random{3};
     vec3 proxy(0);
     for (int tick = 0; tick < 600; ++tick) {

@@ -1,5 +1,5 @@
-// Hostile curves (strength over a field's value) of the haptic modes at the orb: strengths up to 10^6 N of
-// either sign that jump, all pairs of modes, both players at once.
+// Tests the haptic modes at the orb with hostile curves (strength over a field's value): strengths jump, up
+// to 10^6 N of either sign. All pairs of modes are tested, by both players at once.
 #include <cmath>
 
 #include "core/random.h"

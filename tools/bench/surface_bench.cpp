@@ -181,7 +181,7 @@ void feel_crowd(CrowdRun& run) {
     for (int tick = 0; tick < crowd_ticks; ++tick) {
         game::HandFrame frame = before;
         frame.turn = rotation({0, 1, 0}, 0.2 * det::sin(0.002 * tick));
-        // Comes from above, because a body that contains the hand at the start gives no force.
+        // The tip comes from above, because a body that contains the tip at the start gives no force.
         const double down = std::min(tick / 300.0, 1.0);
         const vec3 tip(0.01 * det::cos(0.005 * tick), 0.003 - 0.006 * down, 0.01 * det::sin(0.005 * tick));
         const auto& surface = run.state.surface;
