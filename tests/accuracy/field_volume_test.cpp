@@ -64,7 +64,7 @@ TEST(AnalyticField, GradientsAreTheValues) {
             vec3 step(0);
             step[axis] = h;
             for (const auto& [name, field] : scalars()) {
-                // Skipped: no gradient at the centre.
+                // Skips the centre, where the gradient is undefined.
                 if (glm::length(place - sphere.middle) < 0.05) continue;
                 const double slope = (field(place + step).value - field(place - step).value) / (2 * h);
                 EXPECT_NEAR(field(place).gradient[axis], slope, 1e-6) << name;

@@ -46,7 +46,7 @@ Velocity uniform(const Lattice& l, vec3 v) {
     return velocity;
 }
 
-/// One revolution per second about z, through the centre of a unit box.
+/// Velocity of a rotation about z through the centre of a unit box, with one revolution per second.
 Velocity rigid_turn(const Lattice& l) {
     const double h = l.h;
     Velocity velocity{make_samples(l), make_samples(l), make_samples(l)};

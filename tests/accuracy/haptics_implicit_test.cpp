@@ -63,7 +63,7 @@ TEST(ImplicitSurfaces, GradientsAreThoseOfTheValuesAndShapesAreDistances) {
             // Skips places inside, because a block's distance has creases there, and places near the surface.
             if (here.value < 0.001) continue;
             EXPECT_LE(gradient_error(shape, place), 1e-5);
-            // A step against the gradient, as long as the value, ends on the surface.
+            // A step against the gradient, whose length is the value, ends on the surface.
             EXPECT_NEAR(shape(place - here.value * here.gradient).value, 0, 1e-12);
         }
     }

@@ -155,7 +155,7 @@ TEST(PhysicsAccuracy, AtRestTheFloorCarriesTheWeight) {
 
 TEST(PhysicsAccuracy, ASpinningTopKeepsItsMomentum) {
     Physics physics({.gravity = {}});
-    // Spins about the middle principal axis, so it tumbles.
+    // The box spins about its middle principal axis, so it tumbles.
     physics.add(2, box({0.1, 0.3, 0.5}, 6), {.spin = {0.2, 5, 0.1}});
     const auto momentum = [&] {
         const BodyState s = physics.state(2);

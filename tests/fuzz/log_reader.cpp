@@ -95,7 +95,7 @@ std::string with_body(const Bytes& log, const std::string& body) {
     out.insert(out.end(), bytes.begin(), bytes.end());
     samples::put_at(out, 12, static_cast<std::uint32_t>(body.size()));
     samples::put_at(out, 16, hash_bytes(bytes, hash_bytes(std::span(out).first(16))));
-    // A copy whose header gives signed_block the value that enters the checksums of blocks.
+    // This copy has the new header, from which signed_block takes the value that enters checksums of blocks.
     Bytes signing = out;
     for (const auto& place : samples::blocks_of(log)) {
         const auto block = std::span(log).subspan(place.begin, place.end - place.begin);

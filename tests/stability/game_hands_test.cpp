@@ -134,8 +134,8 @@ TEST(LiftStress, StaysBoundedForAnyStiffnessAndMass) {
             shake = true;
             rig.run(2500);
             rig.watch.expect_tame(0.4);
-            // Bound: energy of a spring stretched by lost_m (where lift loses a thing), or of a thing as fast
-            // as its hand, plus the energy of a fall.
+            // Bound: the energy of a spring stretched by 2.5 m, at which lift loses a thing, or of a thing
+            // that is as fast as its hand, plus the energy of a fall.
             constexpr double lost = 2.5, hand = 20 * 0.4;
             const double most =
                 std::max(stiffness * lost * lost / 2, mass * hand * hand * 2) + mass * 9.81 * 3;

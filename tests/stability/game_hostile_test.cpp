@@ -1,5 +1,5 @@
-// Matches with random input: the state must stay finite and within bounds. Also logs that this program must
-// refuse to play.
+// Tests matches with random input: the state must stay finite and within bounds. Also tests logs that this
+// program must refuse to play.
 #include "core/file.h"
 #include "game/data/wand_slots.h"
 #include "game/match/playback.h"

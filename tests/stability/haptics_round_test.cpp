@@ -361,8 +361,8 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
 
 /// Friction 0.061 holds a proxy in the groove of a sphere and a capsule, a third of the way to where the next
 /// sphere would stop it. The exact position comes from integrating the descent in long double. Beyond that
-/// position the pull leaves the cone again. A former fault: a check only at the path's end let the proxy
-/// continue to the sphere, with an error of 0.086 N in 0.22 N.
+/// position the pull leaves Coulomb's cone again. A former fault: a check only at the path's end let the
+/// proxy continue to the sphere, with an error of 0.086 N in 0.22 N.
 TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
     SurfacePatch patch = rubbing_patch(0.061098345613583738);
     for (std::uint32_t i = 0; i < 3; ++i) {

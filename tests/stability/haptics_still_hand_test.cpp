@@ -138,7 +138,7 @@ TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
     hand.uses[0].settings.strength = field::constant(1.4);
     EXPECT_LE(hand.rest_at({0, 0.002, 0}, {0, 0.02, 0}), max_change);
     EXPECT_NEAR(hand.force.y, -300 * 0.002, 0.002) << "it rests on the ridge";
-    // A hand that moves on the ridge at 20 mm/s must feel no more than the spring at twice its displacement.
+    // Along the ridge at 20 mm/s, the force must not change by more than twice the spring's change in a tick.
     double largest = 0;
     for (int tick = 0; tick < 500; ++tick) largest = std::max(largest, hand.feel({2e-5 * tick, 0.002, 0}));
     EXPECT_LE(largest, 2 * 300 * 2e-5 + 2e-3);

@@ -58,8 +58,8 @@ TEST(HapticsSwitches, AWorldThatChangesAgainAndAgainPushesNoHandAway) {
                     const auto which = static_cast<int>(change);
                     EXPECT_LE(world.most_created(), max_per_switch)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
-                    // Not checked where a surface comes back: a hand that meanwhile fell meets it like any
-                    // wall, with a jump of force.
+                    // The change is not checked when a surface comes back: a hand that fell meanwhile meets
+                    // it like any wall, with a jump of force.
                     if (surface && change == bench::WorldChange::spring) continue;
                     EXPECT_LE(world.max_jump(), 0.75)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;

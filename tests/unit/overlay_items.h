@@ -1,4 +1,4 @@
-// unit/overlay_items.h: an overlay of the HUD, and what it shows.
+// unit/overlay_items.h: makes an overlay of the HUD for tests, and finds items in it.
 #pragma once
 #include <algorithm>
 #include <string_view>
