@@ -147,8 +147,8 @@ double square_in_openings(const Fluid& fluid, const Solids& solids) {
 }
 
 TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
-    // When cell faces that the wall leaves open only a little counted as whole ones, they required more
-    // sub-steps than allowed. The pressure was then left out, and a sixth of the energy was lost.
+    // A former fault: cell faces that the wall leaves open only a little counted as whole ones, and so needed
+    // more sub-steps than allowed. The pressure was left out then, and a sixth of the energy was lost.
     auto fluid = flows::slipping_bowl(24).value();
     set_velocity(fluid, [](vec3 place) { return 12.0 * flows::rigid_turn(place); });
     const double before = energy(fluid);
@@ -157,8 +157,8 @@ TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
 }
 
 TEST(FluidSolids, AStirredBowlWithoutFrictionKeepsMostOfItsEnergy) {
-    // When the energy of cell faces that are nearly covered by the wall counted as that of whole faces, the
-    // whole flow was slowed for it, and kept only two thirds of its energy.
+    // A former fault: the energy of cell faces that the wall nearly covers counted as that of whole faces.
+    // Because of this energy the solver slowed the whole flow to two thirds of its own energy.
     auto fluid = flows::slipping_bowl(24).value();
     const Solids solids(fluid.lattice, fluid.settings.solid, open_least_where_slipping);
     Random random = random_stream(1, 0);

@@ -98,7 +98,7 @@ TEST(VolumeFeel, TheInvertedMappingDrawsTheTipIntoAThinStructure) {
     // hand away from the fibre.
     vec3 tip = start;
     for (int tick = 0; tick < 4000; ++tick) tip += 1e-5 * v.move(tip);
-    EXPECT_LE(glm::length(tip), 3e-4);  // tolerance, because the pull fades out on the fibre
+    EXPECT_LE(glm::length(tip), 3e-4);  // tolerance (m): the pull fades out on the fibre
 }
 
 // ---- walls and materials in volumes -----------------------------------------------------------------------

@@ -24,7 +24,7 @@ double half_height(const BodyDesc& d) {
     return d.shape == Shape::capsule ? d.size.x + d.size.y : d.size.y;
 }
 
-/// A body dropped onto the ground. Both bodies have the same restitution.
+/// A body dropped onto the ground. The body and the ground have the same restitution.
 struct Drop {
     Physics physics{{}, {level_ground()}};
     double step;

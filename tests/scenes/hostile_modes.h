@@ -213,7 +213,7 @@ private:
                 .sensed = 3,
                 .actuated = 3,
                 .peak_force = 3.3,
-                // High, because warm motors would weaken springs, which is not tested here.
+                // This limit is high, because warm motors would weaken springs, which is not tested here.
                 .continuous_force = 3.3,
                 .max_stiffness = 400,
                 .max_damping = 3,

@@ -194,7 +194,7 @@ TEST(HapticsSwitches, TheBrakeBeginsSlowlyAndPullsNoHandIntoAWall) {
 /// Energy that a wall, moved by 4 mm every `period` ticks, creates at a firm hand that moves in and out (J).
 double created_by_edits(const DeviceSpec& spec, int period) {
     auto device_spec = spec;
-    // High, because warm motors weaken forces, which would hide created energy.
+    // This limit is high, because warm motors weaken forces, which would hide created energy.
     device_spec.continuous_force = 10 * spec.peak_force;
     const auto device = simulated_device(device_spec, {.mass = 0.4, .stiffness = 1500, .damping = 40});
     const Servo servo = servo_of(device_spec, 1);

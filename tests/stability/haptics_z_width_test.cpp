@@ -114,7 +114,7 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
         EXPECT_LE(at.added_later, 0.05) << stiffness;  // once settled, stiffness alone acts (N)
         EXPECT_LE(at.created, 0.02) << stiffness;
     }
-    // Without damping and controller, the wall of 1,000 N/m throws the hand off.
+    // Without damping and controller, the device oscillates strongly on the wall of 1,000 N/m.
     EXPECT_GT(pressed(spec, {.stiffness = 1000}, newtons).shake, 0.5 * newtons / 1000);
 }
 

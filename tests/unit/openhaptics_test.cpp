@@ -35,7 +35,7 @@ FakeHdReport report() { return function<FakeHdReport (*)()>("fakeHdReport")(); }
 
 void tell(const std::string& words) { ::setenv("FAKE_HD", words.c_str(), 1); }
 
-/// Waits until the condition holds, for as long as the slowest machine may need.
+/// Waits until the condition holds. The time limit is long enough for the slowest machine.
 template <class F>
 bool soon(F holds) {
     for (int i = 0; i < 5000; ++i) {
@@ -67,7 +67,7 @@ std::string refusal(const std::string& words) { return message_of(open_fake(word
 
 bool has(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
-/// A simulated user of the arm: what it measures in each tick, and the force that it asks for.
+/// A program that uses the arm: notes what the arm measures in each tick, and requests a force.
 struct Hand {
     std::atomic<std::uint64_t> ticks{0}, unusable{0};
     std::atomic<std::int32_t> x_um{0}, y_urad{0};
@@ -229,7 +229,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForce) {
     ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return report().force[2] == 2; }));
     arm.reset();
-    // The last frame's force acts from the tick after it.
+    // The force that the last frame has set acts from the next tick on.
     const auto left = report();
     EXPECT_EQ(left.max_force, 2);
     EXPECT_EQ(left.left[2], 0);
