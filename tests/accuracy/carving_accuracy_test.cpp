@@ -1,5 +1,5 @@
-// Accuracy of carving: removed volumes compared with closed forms, with orders of convergence; change over
-// time at a given strength; symmetry; conservation of mass.
+// Tests the accuracy of carving: compares removed volumes with closed forms, and checks orders of
+// convergence, the change over time at a given strength, symmetry and the conservation of mass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -139,7 +139,7 @@ TEST(CarvingAccuracy, AMixedColourDependsOnTheTimeNotOnTheNumberOfEdits) {
     const auto mean_red = [](int edits) {
         Voxels body = block({16, 16, 16}, 1);
         std::ranges::fill(body.colour, Rgb8{0, 0, 0});
-        // A weight of almost 1 in the whole body, so the exact result is known.
+        // The tool's weight is almost 1 in the whole body, so the exact result is known.
         Tool tool = density_filter(30, 0, 1);
         tool.operations[0].changes = {.colour = true};
         tool.operations[0].colour = {200, 0, 0};

@@ -222,7 +222,7 @@ protected:
         if (c.type->bytes > 1 && encoding != "ascii")
             c.header += text("endian: ", c.is_big ? "big" : "little", "\n");
         const bool several = chance(0.3, random);
-        // NRRD skips lines of the file as it is stored, but bytes of the unpacked data.
+        // In NRRD, `line skip` counts lines of the stored file, `byte skip` bytes of the unpacked data.
         std::string skipped_line, skipped_bytes;
         if (chance(0.3, random)) {
             c.header += "line skip: 1\n";

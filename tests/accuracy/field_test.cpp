@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::array kernels{Kernel::linear, Kernel::catmull_rom};
 
-/// Samples with padding at the end of each row. The padding holds NaN, which shows in a result that reads it.
+/// Samples with padding at the end of each row. The padding holds NaN, so a result becomes NaN if it wrongly
+/// uses the padding.
 struct Stored {
     std::vector<float> values;
     Grid grid;

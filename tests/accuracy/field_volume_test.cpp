@@ -64,7 +64,7 @@ TEST(AnalyticField, GradientsAreTheValues) {
             vec3 step(0);
             step[axis] = h;
             for (const auto& [name, field] : scalars()) {
-                // Skipped: no gradient at the centre.
+                // Skips the centre, where the gradient is undefined.
                 if (glm::length(place - sphere.middle) < 0.05) continue;
                 const double slope = (field(place + step).value - field(place - step).value) / (2 * h);
                 EXPECT_NEAR(field(place).gradient[axis], slope, 1e-6) << name;
@@ -221,7 +221,7 @@ TEST(Placement, FramesLeadThereAndBack) {
     EXPECT_EQ(to_parent(Placement{}, vec3(1, 2, 3)), vec3(1, 2, 3));
 }
 
-/// Sphere, plane and vortex, written directly as formulas in the parent frame.
+/// Placed fields must equal a sphere, a plane and a vortex whose formulas are written in the parent frame.
 TEST(Placement, APlacedFormulaIsTheFormulaOfThePlacedBody) {
     Random random = random_stream(6, 6);
     for (int run = 0; run < 300; ++run) {

@@ -64,9 +64,9 @@ TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
 }
 
 /// A standing wave in a layered box has the frequency N / sqrt(2). N is the buoyancy frequency: N^2 = -g
-/// dw/dy for a relative weight w. In every half period all the wave's energy becomes kinetic again. When
-/// buoyancy was of first order in time and the flow had divergence, the wave was amplified 23 times in five
-/// periods.
+/// dw/dy with the gravity g, the relative weight w and the height y. In every half period all the wave's
+/// energy becomes kinetic again. A former solver, whose buoyancy was of first order in time and whose flow
+/// had divergence, amplified the wave 23 times in five periods.
 TEST(FluidBuoyancy, AWaveInLayersIsNeitherAmplifiedNorDamped) {
     const double weight = 0.5, height = 0.02;
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);

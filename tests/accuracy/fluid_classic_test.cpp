@@ -52,8 +52,8 @@ Fluid striped(Edge edge, double waves, double diffusion, int sweeps) {
     return fluid;
 }
 
-// Backward Euler on the grid: a wave whose second difference is -q times the wave itself shrinks by 1 / (1 +
-// k dt q / h^2) in a step.
+// Diffusion by backward Euler multiplies a wave by 1 / (1 + k dt q / h^2) in a step, where k is the diffusion
+// coefficient, dt the step and h the cell size, and the second difference of the wave is -q times the wave.
 TEST(FluidClassic, DiffusionOfAWaveFollowsBackwardEuler) {
     for (const auto& [edge, waves] : {std::pair{Edge::periodic, 2.0}, {Edge::free_slip, 1.5}}) {
         const double diffusion = 0.05;
@@ -108,8 +108,8 @@ double divergence_left(int sweeps) {
     return advance(fluid, flows::step).divergence;
 }
 
-// The floor below which divergence does not fall, however many sweeps: differences across two cells cannot
-// detect the rest.
+// More sweeps reduce the divergence only down to a lower limit, because the solver's differences over two
+// cells do not detect the rest.
 TEST(FluidClassic, MoreSweepsLeaveLessDivergenceDownToAFloor) {
     EXPECT_LT(divergence_left(20), 0.5 * divergence_left(1));
     EXPECT_LT(divergence_left(80), 0.5 * divergence_left(20));

@@ -1,6 +1,6 @@
-// Solids and implicit viscosity. A projection removes the divergence, never adds energy, and its cost does
-// not grow with the grid. Fluid at rest in a bowl stays at rest. Implicit viscosity converges to the exact
-// solution with the time step.
+// Tests solids and implicit viscosity. A projection must remove the divergence and never add energy, and its
+// cost must not grow with the grid. Fluid at rest in a bowl must stay at rest. Implicit viscosity must
+// converge to the exact solution with the time step.
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -15,7 +15,7 @@
 namespace thaum::fluid {
 namespace {
 
-Team alone;  // no thread helps here
+Team alone;  // team without further threads
 
 constexpr Edges open_above{Edge::no_slip, Edge::free_slip, Edge::no_slip};
 constexpr Edges round_about{Edge::periodic, Edge::periodic, Edge::periodic};
@@ -147,8 +147,8 @@ double square_in_openings(const Fluid& fluid, const Solids& solids) {
 }
 
 TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
-    // When cell faces that the wall leaves open only a little counted as whole ones, they required more
-    // sub-steps than allowed. The pressure was then left out, and a sixth of the energy was lost.
+    // A former fault: cell faces that the wall leaves open only a little counted as whole ones, and so needed
+    // more sub-steps than allowed. The pressure was left out then, and a sixth of the energy was lost.
     auto fluid = flows::slipping_bowl(24).value();
     set_velocity(fluid, [](vec3 place) { return 12.0 * flows::rigid_turn(place); });
     const double before = energy(fluid);
@@ -157,8 +157,8 @@ TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
 }
 
 TEST(FluidSolids, AStirredBowlWithoutFrictionKeepsMostOfItsEnergy) {
-    // When the energy of cell faces that are nearly covered by the wall counted as that of whole faces, the
-    // whole flow was slowed for it, and kept only two thirds of its energy.
+    // A former fault: the energy of cell faces that the wall nearly covers counted as that of whole faces.
+    // Because of this energy the solver slowed the whole flow to two thirds of its own energy.
     auto fluid = flows::slipping_bowl(24).value();
     const Solids solids(fluid.lattice, fluid.settings.solid, open_least_where_slipping);
     Random random = random_stream(1, 0);
@@ -227,7 +227,7 @@ void stir_a_bowl(int n) {
 }
 
 TEST(FluidSolids, AStirredBowlKeepsItsSubstancesAndLosesItsEnergy) {
-    // Sizes whose rows are, and are not, a multiple of the length of the processor's vectors.
+    // 16 is a multiple of the length of the processor's vectors, 13 is not.
     for (const int n : {16, 13}) {
         SCOPED_TRACE(n);
         stir_a_bowl(n);

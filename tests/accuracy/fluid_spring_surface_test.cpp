@@ -179,7 +179,7 @@ TEST(SpringSurfaceAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
     const double t = 32 * 0.9 / std::sqrt(2 * stiffest_frequency(s) * stiffest_frequency(s));
     for (const std::size_t count : {0U, 1U}) {
         const auto with = std::span(probes).first(count);
-        // Pushed with 10 N from the start and never released, so that the motion is smooth.
+        // The probe pushes with 10 N from the start and stays, so that the motion is smooth.
         const SpringSurface start = with_heights(make_spring_surface(s), [&](std::size_t x, std::size_t z) {
             return 0.05 * shape_at(s, 1, 1, x, z) + 0.02 * shape_at(s, 2, 3, x, z);
         });

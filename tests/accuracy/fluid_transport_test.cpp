@@ -1,5 +1,5 @@
-// Transport of substances by a given flow: order of convergence, a constant density, conservation,
-// positivity, exact symmetry, solids and diffusion.
+// Tests the transport of substances by a given flow: order of convergence, constant densities, conservation,
+// positive densities, exact symmetry, flow around solids, and diffusion.
 #include "fluid/detail/transport.h"
 #include "fluid/ghosts.h"
 
@@ -46,7 +46,7 @@ Velocity uniform(const Lattice& l, vec3 v) {
     return velocity;
 }
 
-/// One revolution per second about z, through the centre of a unit box.
+/// Velocity of a rotation about z through the centre of a unit box, with one revolution per second.
 Velocity rigid_turn(const Lattice& l) {
     const double h = l.h;
     Velocity velocity{make_samples(l), make_samples(l), make_samples(l)};
@@ -424,7 +424,8 @@ Velocity seen(const View& view, const Lattice& from, const Lattice& to, const Ve
     return result;
 }
 
-/// Largest difference between a transported view and a view of the transported density.
+/// Largest difference between a density that is first viewed (with permuted or mirrored axes) and then
+/// transported, and one that is first transported and then viewed.
 double asymmetry(const View& view, const Edges& edges, double diffusion) {
     const Lattice l = make_lattice({13, 10, 11}, 0.1, edges);
     Cells cells{};

@@ -1,5 +1,5 @@
-// Accuracy on public data in a folder beside the source tree (../shared/data/gestures). Skipped if the folder
-// does not exist.
+// Tests the accuracy of gesture recognition on public data in a folder beside the source tree
+// (../shared/data/gestures). The tests are skipped if the folder does not exist.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -109,8 +109,8 @@ TEST_F(GesturePublicData, ProbabilitiesHoldAndUnknownGesturesAreNothing) {
     EXPECT_LE(result->open_set->false_accepts, 0.03);
 }
 
-/// Probabilities that the recogniser makes from its templates alone (one or three of each gesture), without a
-/// fit to strokes of users.
+/// The recogniser's probabilities must be right even if it has only its templates (one or three of each
+/// gesture) and no further strokes of users to fit them to.
 TEST_F(GesturePublicData, ProbabilitiesHoldWithoutStrokesOfUsers) {
     const auto error = [](const StrokeSet& set, Protocol protocol, std::size_t templates) {
         const auto result = evaluate(set.strokes, {.protocol = protocol,
@@ -139,8 +139,8 @@ TEST_F(GesturePublicData, GesturesAreSpottedInContinuousMotion) {
     const auto result = evaluate_spotting(*sessions, *labels, set.strokes, settings).value();
     EXPECT_EQ(result.labels, 300U);
     EXPECT_GE(result.best.f1, 0.88);
-    // The sessions hold 59 strokes that to the eye are gestures and have no label: attempts that were to be
-    // repeated. The publishers of the set count reports of such attempts neither as right nor as wrong.
+    // The sessions hold 59 strokes without a label that look like gestures: attempts that the users had to
+    // repeat. The publishers of the data count reports of such attempts neither as right nor as wrong.
     settings.ignored = ignored;
     const auto fair = evaluate_spotting(*sessions, *labels, set.strokes, settings).value();
     EXPECT_GE(fair.best.f1, 0.96);

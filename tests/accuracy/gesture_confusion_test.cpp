@@ -1,4 +1,5 @@
-// Recognition of the shipped gestures (assets/gestures) in strokes and scribbles of generated users.
+// Tests how well the shipped gestures (assets/gestures) are recognised in strokes and scribbles of generated
+// users.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -116,7 +117,7 @@ TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
     EXPECT_GE(right, 0.98 * drawn);
 }
 
-/// Probabilities of a recogniser with one stroke of each gesture by one user, for strokes of another user.
+/// With one stroke of each gesture by one user, probabilities must be right for strokes of another user.
 TEST(GestureConfusion, ProbabilitiesHoldForStrokesOfAnotherUser) {
     const auto shipped = shipped_gestures();
     RecogniserSpace space;

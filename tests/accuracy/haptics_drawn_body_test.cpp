@@ -215,11 +215,12 @@ double direction_error(TouchedModes& hand, vec3 place, vec3 out) {
 }
 
 TEST(DrawnBody, APlaneOfSlicesKeepsItsDirectionNearTheBox) {
-    // A kernel that repeats the last average beyond the box makes slopes flatter there. In 40 such places, it
-    // was up to 10.6 degrees off.
+    // A kernel that repeats the last average beyond the box makes slopes flatter near the box. With such a
+    // kernel, the force was up to 10.6 degrees off in 40 such places.
     constexpr double side = 31.5 * fine;
     double worst = 0;
-    // Direction 0 is parallel to the slices. All slices are then equal, with as few values as a mask.
+    // Direction 0 is skipped: it is parallel to the slices, so all slices are equal, with few values like a
+    // mask.
     for (int i = 1; i < 24; ++i) {
         const vec3 out = bench::even_direction(i, 24);
         vec3 place(0);
@@ -233,7 +234,7 @@ TEST(DrawnBody, APlaneOfSlicesKeepsItsDirectionNearTheBox) {
 }
 
 TEST(DrawnBody, AThickRingOfSlicesKeepsItsDirection) {
-    // Averages of blocks of two slices, which a mask needs, were up to 5.7 degrees off on this ring.
+    // With averages over blocks of two slices, which a mask needs, the force was up to 5.7 degrees off here.
     constexpr double radius = 32 * fine, tube = 18 * fine;
     const vec3 middle(0.0002, -0.0007, 0.0004), axis = glm::normalize(vec3(0.3, 0.5, 0.8));
     const Body body = sliced({112, 112, 38}, [&](vec3 p) {

@@ -1,4 +1,4 @@
-// Implicit surfaces, and contact with the surface on which a field has a given value.
+// Tests implicit surfaces, and the contact with a surface on which a field has a given value.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST(ImplicitSurfaces, GradientsAreThoseOfTheValuesAndShapesAreDistances) {
             // Skips places inside, because a block's distance has creases there, and places near the surface.
             if (here.value < 0.001) continue;
             EXPECT_LE(gradient_error(shape, place), 1e-5);
-            // A step against the gradient, as long as the value, ends on the surface.
+            // A step against the gradient, whose length is the value, ends on the surface.
             EXPECT_NEAR(shape(place - here.value * here.gradient).value, 0, 1e-12);
         }
     }
@@ -129,7 +129,7 @@ TEST(LevelContact, ATipDoesNotFallThroughWhatItCrossesInOneTick) {
 }
 
 TEST(LevelContact, AFlatFieldBeforeTheSurfaceNeedsNoGradient) {
-    // Density 0 outside and 1 inside, with an edge of 1 mm.
+    // The density is 0 outside and 1 inside, with an edge 1 mm wide.
     const auto step = [](vec3 p) {
         const double t = std::clamp(-p.y / 0.001, 0.0, 1.0);
         return Scalar{t, {0, t > 0 && t < 1 ? -1000 : 0, 0}};
@@ -145,7 +145,7 @@ TEST(LevelContact, AFlatFieldBeforeTheSurfaceNeedsNoGradient) {
 }
 
 TEST(LevelContact, AGrooveAndACornerHoldTheProxyStill) {
-    // The outside of a block as a solid, so that the block is a hollow: three walls meet in its corner.
+    // The block is hollow: everything outside of it is solid, so three walls meet in its corner.
     const Block inner{.half = vec3(0.02)};
     const auto hollow = [&](vec3 p) {
         const Scalar s = inner(p);
@@ -161,7 +161,7 @@ TEST(LevelContact, AGrooveAndACornerHoldTheProxyStill) {
             if (tick > 250) change = std::max(change, glm::distance(force, last));
             last = force;
         }
-        EXPECT_LE(change, 1e-3);  // largest change of force (N), of total forces of 1.3 and 1.6 N
+        EXPECT_LE(change, 1e-3);  // largest change of the force (N); the force itself is 1.3 or 1.6 N
         EXPECT_LE(glm::distance(hand.proxy, glm::min(goal, vec3(0.02))), 1e-5);
     }
 }

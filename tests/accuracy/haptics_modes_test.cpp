@@ -170,7 +170,7 @@ TEST(HapticModes, ASurfaceHoldsWithFrictionInProportionToItsPush) {
     TouchedModes hand{{use}};
     hand.start(vec3(0));
     for (int tick = 0; tick <= 50; ++tick) hand.move({0, -1e-4 * tick, 0});
-    // Pushed in by 5 mm (1.5 N), the proxy sticks as long as the tangential force is below 0.6 N.
+    // The tip is 5 mm deep (1.5 N). The proxy sticks as long as the tangential force is below 0.6 N.
     EXPECT_LE(glm::distance(hand.move({0.001, -0.005, 0}), vec3(-0.3, 1.5, 0)), 1e-9);
     for (int tick = 0; tick < 100; ++tick) hand.move({0.001 + 1e-4 * tick, -0.005, 0});
     EXPECT_LE(glm::distance(hand.move({0.011, -0.005, 0}), vec3(-0.6, 1.5, 0)), 1e-9);

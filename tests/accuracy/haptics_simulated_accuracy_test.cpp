@@ -19,7 +19,8 @@ struct Grip {
     Hand hand;
 };
 
-// Mass 0.25 kg; critical: (damping + 0.5) = 2 sqrt(400 * 0.25) = 20.
+// Hand and device together weigh 0.25 kg, except with the lighter last hand. The device has a damping of 0.5
+// N s/m, so damping is critical if the hand's damping + 0.5 = 2 sqrt(400 * 0.25) = 20.
 constexpr Grip grips[] = {
     {"loose", {.mass = 0.15, .stiffness = 400, .damping = 3, .max_target_speed = 1e9}},
     {"nearly critical", {.mass = 0.15, .stiffness = 400, .damping = 19.5001, .max_target_speed = 1e9}},
@@ -126,9 +127,9 @@ TEST(HapticsSimulatedAccuracy, FrictionStopsASlideWhereItShould) {
 }
 
 TEST(HapticsSimulatedAccuracy, AnUndampedSpringLosesTwoBandsAnHalfSwing) {
-    // The classical oscillator with dry friction. Each half swing is a half cosine around -F/k or +F/k, so
-    // each turning point is nearer to the middle by 2 F / k. The mass stops at the first turning point within
-    // +-F/k.
+    // An oscillator with stiffness k and dry friction F. Each half swing is a half cosine around -F/k or
+    // +F/k, so each turning point is nearer to the middle by 2 F/k. The mass stops at the first turning point
+    // within +-F/k.
     constexpr double k = 400, friction = 0.26;
     const auto device =
         with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
@@ -160,7 +161,7 @@ TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
         with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
     const Real go = Real(friction) / (k * Real(w)), rate = std::sqrt(Real(k) / Real(0.25));
     auto state = resting_at({});
-    // Until just before the mass would stop at the next turning point.
+    // The test ends just before the mass would stop at the next turning point.
     for (int tick = 1; tick <= 90; ++tick) {
         const Real t = Real(tick) / 1000;
         state = step(device, state, {static_cast<double>(Real(w) * t), 0, 0}, {});
@@ -171,8 +172,8 @@ TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
 }
 
 TEST(HapticsSimulatedAccuracy, StickAndSlipDoNotDependOnTheTick) {
-    // Constant velocity of the target and constant force, simulated with ticks of 1/8, 1 and 8 ms. The longer
-    // a tick, the more stops and starts of the motion fall into it.
+    // The target's velocity and the force are constant. The motion is simulated with ticks of 1/8, 1 and 8
+    // ms. The longer a tick, the more stops and starts of the motion fall into it.
     const Hand hand{.mass = 0.15, .stiffness = 400, .damping = 2, .max_target_speed = 1e9};
     const auto run = [&hand](int ticks_per_8_ms) {
         const auto device = with_friction(hand, 0.26, 0.2, 8e-3 / ticks_per_8_ms);

@@ -1,4 +1,4 @@
-// How volumes feel: forces that follow opacity, shells, walls, materials, and scanned surfaces.
+// Tests how volumes feel: forces that depend on opacity, shells, walls, materials, and scanned surfaces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using bench::TouchedModes;
 using field::field_of;
 using field::Scalar;
 
-/// A tip that feels a volume of density as in a scan.
+/// A simulated tip (the point that the hand moves) with the forces of a volume of densities, such as a scan.
 struct FeltVolume {
     VolumeFeel feel{};
     TouchedModes hand{};
@@ -98,7 +98,7 @@ TEST(VolumeFeel, TheInvertedMappingDrawsTheTipIntoAThinStructure) {
     // hand away from the fibre.
     vec3 tip = start;
     for (int tick = 0; tick < 4000; ++tick) tip += 1e-5 * v.move(tip);
-    EXPECT_LE(glm::length(tip), 3e-4);  // tolerance, because the pull fades out on the fibre
+    EXPECT_LE(glm::length(tip), 3e-4);  // tolerance (m): the pull fades out on the fibre
 }
 
 // ---- walls and materials in volumes -----------------------------------------------------------------------

@@ -150,8 +150,8 @@ TEST(MathsAccuracy, SineAndCosineTogetherAreTheSameBits) {
 }
 
 TEST(MathsAccuracy, ExpOfEightIsTheSameBits) {
-    // Eight numbers within 1, 30, 700 or 1,500 of zero, because beyond 700 exp8 (eight exponentials at once)
-    // takes another way. Now and then special numbers, or a NaN or an infinity beside seven others.
+    // Numbers within 1, 30, 700 or 1,500 of zero: beyond 700, exp8 (eight exponentials at once) uses another
+    // formula. Some rounds have special numbers, or a NaN or infinity beside seven other numbers.
     Random random = random_stream(8, 1);
     for (int n = 0; n < 20'000; ++n) {
         const double reach = n % 4 == 0 ? 1 : n % 4 == 1 ? 30 : n % 4 == 2 ? 700 : 1500;

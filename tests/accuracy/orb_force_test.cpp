@@ -160,8 +160,8 @@ TEST(OrbForce, IsThatOfTheFormula) {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             const auto [others, largest] =
                 share_of_others(static_cast<std::uint8_t>(mode + 1), modes[mode].second, seed);
-            // Where the formula throws the proxy back and forth between two places, as on the ridges of a
-            // gradient, the engine's proxy settles between them (haptics/primitives/settling.h).
+            // Where the formula makes the proxy alternate between two places, as on the ridges of a gradient,
+            // the engine's proxy settles between them (haptics/primitives/settling.h).
             EXPECT_LT(others, std::string_view(modes[mode].first) == "gradient" ? 0.25 : 0.02)
                 << modes[mode].first << ", seed " << seed;
             EXPECT_GT(largest, 0.2) << modes[mode].first << ": something was felt";

@@ -105,7 +105,7 @@ TEST(PhysicsAccuracy, ElasticCollisionKeepsMomentumAndEnergy) {
         const double momentum = 3 * physics.velocity(1).x + physics.velocity(2).x;
         ASSERT_NEAR(momentum, 5, 1e-12) << i;
     }
-    // Velocity after an elastic collision: (m1 - m2) v1 / M + 2 m2 v2 / M.
+    // Elastic collision of the masses m1 and m2: v1 becomes ((m1 - m2) v1 + 2 m2 v2) / (m1 + m2).
     EXPECT_NEAR(physics.velocity(1).x, 0.5, 1e-9);
     EXPECT_NEAR(physics.velocity(2).x, 3.5, 1e-9);
     EXPECT_NEAR(impulse, 4.5, 1e-9);
@@ -155,7 +155,7 @@ TEST(PhysicsAccuracy, AtRestTheFloorCarriesTheWeight) {
 
 TEST(PhysicsAccuracy, ASpinningTopKeepsItsMomentum) {
     Physics physics({.gravity = {}});
-    // Spins about the middle principal axis, so it tumbles.
+    // The box spins about its middle principal axis, so it tumbles.
     physics.add(2, box({0.1, 0.3, 0.5}, 6), {.spin = {0.2, 5, 0.1}});
     const auto momentum = [&] {
         const BodyState s = physics.state(2);

@@ -24,7 +24,7 @@ double half_height(const BodyDesc& d) {
     return d.shape == Shape::capsule ? d.size.x + d.size.y : d.size.y;
 }
 
-/// A body dropped onto the ground. Both bodies have the same restitution.
+/// A body dropped onto the ground. The body and the ground have the same restitution.
 struct Drop {
     Physics physics{{}, {level_ground()}};
     double step;
@@ -86,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder),
                        ::testing::Values(Shape::box, Shape::mesh), ::testing::Values(0.001, 0.002, 0.004)));
 
-/// Each bounce reaches e^2 of the previous height. No step adds energy, and little energy is lost.
+/// Each bounce reaches e^2 of the previous height, where e is the restitution. No step adds energy, and
+/// little energy is lost.
 TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
     for (const double e : {1.0, 0.8}) {
         Drop drop(Shape::sphere, Shape::box, e, 1, dt);
@@ -104,7 +105,7 @@ TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
     }
 }
 
-/// Each bounce leaves e^2 of the energy, whatever the step, over bounces from many heights.
+/// Each bounce leaves the share e^2 of the energy (e: restitution), for every time step and many heights.
 TEST(PhysicsBounce, EachBounceKeepsItsShareOfTheEnergyAtEveryStep) {
     for (const double e : {1.0, 0.8}) {
         for (const double step : {0.001, 0.002, 0.004, 0.008}) {
@@ -257,10 +258,10 @@ TEST(PhysicsCapsule, NearestPointsOfASegmentAndABox) {
 TEST(PhysicsCapsule, AlongAFaceItTouchesWithTheMiddle) {
     for (const double slant : {0.0, 1e-12, -1e-12}) {
         const auto [on_axis, on_box] = detail::nearest_points({1, 0.5, 0}, {slant, 1, 0}, {0.5, 1, 0.5});
-        EXPECT_NEAR(on_axis.y, 0.25, 1e-12) << slant;  // the axis is beside the face from -0.5 to 1
+        EXPECT_NEAR(on_axis.y, 0.25, 1e-12) << slant;  // middle of the part beside the face, y = -0.5 to 1
         EXPECT_NEAR(on_box.x, 0.5, 1e-12) << slant;
     }
-    // Places at which rounding puts an end of the common part beyond the face.
+    // At random heights, rounding may put an end of the part beside the face outside of the face.
     Random random{5};
     for (int i = 0; i < 5000; ++i) {
         const double y = some_vector(random, 1).y, tall = 0.05 + std::abs(some_vector(random, 1).y);
@@ -286,7 +287,8 @@ std::optional<Contact> capsule_contact(bool upright, bool capsule_first, double 
     return physics.contacts()[0];
 }
 
-/// For capsules that can rotate, contacts are those of Bullet's iteration.
+/// A capsule that must stay upright touches a box at the same point as one that can rotate, whose contacts
+/// come from Bullet's iteration.
 TEST(PhysicsCapsule, UprightOnesTouchBoxesAsBulletsDo) {
     Random random{4};
     int compared = 0;

@@ -1,5 +1,5 @@
-// Accuracy of the proxy that balances a spring against random and degenerate sets of haptic primitives:
-// independent residual, properties of a proximal map, brute-force search.
+// Tests the accuracy of the proxy that balances a spring against random and degenerate sets of haptic
+// primitives: by an independent residual, by the properties of a proximal map, and by brute-force search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,8 +63,8 @@ void expect_balanced(std::initializer_list<Primitive> primitives, vec3 centre) {
 
 TEST(PrimitivesRandom, LinesThatCrossBalance) {
     using enum PrimitiveKind;
-    // Two crossing lines, each given by a point and a direction. With normals that are nearly along a line,
-    // the proxy would be inaccurate.
+    // Two crossing lines, each given by a point and a direction. The proxy becomes inaccurate if a solver
+    // describes a line by normals that are nearly parallel to the line.
     expect_balanced({{line,
                       {0.0047499410918187346, 0.0041211621887245718, -0.0086053205396185457},
                       {-0.70721573916907943, -0.026820298561281, -0.70648890285454324},
@@ -295,8 +295,8 @@ TEST(PrimitivesRandom, TheResidualIsTrueEverywhere) {
 }
 
 TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
-    // With these strengths the proxy would be moved away by 1e9 times the size of the set, where its kinks
-    // are indistinguishable.
+    // With such strengths, the proxy would be moved away by 1e9 times the size of the set. Seen from there,
+    // its kinks (places where a force jumps) are indistinguishable.
     const Scale scale{1e3, 1e-6, 1};
     Random random{11};
     for (int i = 0; i < 20'000; ++i) {

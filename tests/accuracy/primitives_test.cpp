@@ -90,11 +90,12 @@ TEST(Primitives, APlaneHoldsBesideAPointThatPullsThroughIt) {
 
 TEST(Primitives, APointOnAPlaneAndOnALineAddsUp) {
     const auto set = set_of({plane({}, {0, 1, 0}, 1), point({}, 1), line({}, {0, 0, 1}, 1)});
-    // 2.7 N are needed, and plane, point and line together can give 3 N.
+    // The spring pulls with 2.7 N. Plane, point and line together can hold 3 N.
     expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});
-    // 3.3 N are needed, more than their 3 N.
+    // The spring pulls with 3.3 N, more than the 3 N that plane, point and line together can hold.
     expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});
-    // 1.8 N are needed, and the point and the line alone can give 2 N.
+    // The spring pulls with 1.8 N in the direction in which the plane gives no force. Point and line alone
+    // can hold 2 N.
     expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});
 }
 

@@ -11,7 +11,7 @@ TEST(TactileBody, TheChartIsTheArcOfTheEllipse) {
     const Torso torso(0.16, 0.115);
     double arc = 0;
     vec3 before(0, 1, 0.115);
-    for (int i = 1; i <= 3000; ++i) {  // most of the right half of an ellipse, in straight pieces
+    for (int i = 1; i <= 3000; ++i) {  // adds up short straight pieces of the right half of the ellipse
         const double angle = pi * i / 3000;
         const vec3 at(0.16 * std::sin(angle), 1, 0.115 * std::cos(angle));
         arc += glm::length(at - before);

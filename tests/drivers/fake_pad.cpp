@@ -168,8 +168,8 @@ std::string words_of_buttons(const Model& model) {
     return out;
 }
 
-/// Description of the device as the system gives it. SDL takes devices with the same device number (dev) for
-/// one.
+/// Description of the device as the system gives it. SDL treats devices with the same device number (dev) as
+/// a single device.
 std::string description_of(const Pad& pad, std::size_t number) {
     constexpr std::size_t first_minor = 64;
     const auto digit = std::to_string(number), event = "event" + digit;

@@ -1,7 +1,7 @@
 // forge_log HOW LOG FORGED: copies a closed log with one change and correct checksums, as a forger would do
-// who wants a false match to be accepted. HOW: same (no change); no_hashes, no_middle, no_last (all hashes,
-// one or the last are left out); early_input, late_input (the input of one tick differs); result (a false
-// one); codes (control codes of a terminal in the result).
+// who wants a false match to be accepted. HOW is the change: same (none); no_hashes, no_middle, no_last
+// (leaves out all hashes, one in the middle, or the last one); early_input, late_input (changes the input of
+// one tick); result (writes a false result); codes (adds control codes of a terminal to the result).
 #include <cstdio>
 #include <string_view>
 

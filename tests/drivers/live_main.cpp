@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
                   .assets = assets,
                   .seconds = std::atof(argv[2]),
                   .report = &report};
-    // Few pictures: drawing without a graphics card would take every core.
+    // Draws few pictures, because drawing without a graphics card would take every core.
     plan.settings.frames_per_second = 20;
     plan.seats = {seat_of(argc > 4 ? argv[3] : "bot"), seat_of(argc > 4 ? argv[4] : "bot")};
     plan.probe = argc > 4 && std::string_view(argv[3]) == "probe";

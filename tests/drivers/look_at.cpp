@@ -1,5 +1,6 @@
-// What the X server named by DISPLAY shows, for tests that wait for it. A look takes a few milliseconds of a
-// processor, and ImageMagick or xdotool several times as much.
+// Prints what the X server named by DISPLAY shows. Tests that wait for a change of the screen run this
+// program repeatedly: it takes a few milliseconds of processor time, ImageMagick or xdotool several times as
+// much.
 //
 //     look_at title         the title of the first window whose title begins with "Thaum"; none: nothing
 //     look_at colours AREA  the number of different colours
@@ -42,8 +43,8 @@ F* x11(const char* name) {
     return reinterpret_cast<F*>(found);
 }
 
-/// Prints the title of the first of the root's windows that is the game's. There is no window manager, so the
-/// windows of programs are the root's own.
+/// Prints the title of the game's window. Without a window manager, the windows of programs are direct
+/// children of the root window.
 void print_title(Display* display, Window root) {
     auto* tree = x11<int(Display*, Window, Window*, Window*, Window**, unsigned*)>("XQueryTree");
     auto* property = x11<int(Display*, Window, unsigned long, long, long, int, unsigned long, unsigned long*,

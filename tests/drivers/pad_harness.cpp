@@ -161,7 +161,7 @@ int main(int, char** argv) {
     const int felt =
         wishes.felt != nullptr ? open(wishes.felt, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666) : -1;
     if (*program == nullptr || (wishes.felt != nullptr && felt < 0)) return 2;
-    // Never destroyed, because threads that read from the pads use them until the process ends.
+    // The pads are never destroyed, because threads read from them until the process ends.
     auto& pads = *std::make_unique<Pads>().release();
     for (auto& pad : pads) pad.felt = felt;
     make_pads(pads, wishes);

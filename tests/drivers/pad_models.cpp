@@ -154,7 +154,7 @@ public:
     /// Tests a model. Returns what does not work; empty: everything works.
     std::string test(const Mapping& mapping) {
         const auto model = model_of(mapping);
-        // Never destroyed, because its threads may outlive this test.
+        // The pad is never destroyed, because its threads may outlive this test.
         auto& pad = *std::make_unique<fake::Pad>().release();
         fake::make_pad(pad, testbed_, model, number_++);
         fake::plug(pad, true);
@@ -226,8 +226,8 @@ std::vector<Mapping> drawn(std::vector<Mapping> from, std::uint64_t seed, std::s
 
 int main(int argc, char** argv) {
     if (argc != 3) return 2;
-    // Must come first, because devices of the test bed are invisible to programs that look for devices
-    // earlier.
+    // The test bed must be made first, because its devices are invisible to a program that has looked for
+    // devices before.
     auto* testbed = umockdev_testbed_new();
     const auto all = table();
     const auto mappings =

@@ -1,5 +1,5 @@
-// scenario_probe SCRIPT: plays a scenario once, without pictures. A build with the thread sanitizer has it in
-// the place of `thaum scenario --once`.
+// scenario_probe SCRIPT: plays a scenario once, without pictures. Builds with the thread sanitizer use this
+// program instead of `thaum scenario --once`.
 #include <cstdio>
 
 #include "game/data/match_data.h"

@@ -1,5 +1,6 @@
-// A spell that no file of the game knows (mend.cpp, mend.toml, w.toml) is a full spell: a stroke and a
-// combination of keys cast it, bots draw it, the screen names it, and it is heard and felt.
+// A spell that exists only in this folder (mend.cpp, mend.toml, w.toml) must work like those of the game: a
+// stroke or a combination of keys casts it, bots draw it, the screen shows its name, and it has sound and
+// touch.
 #include <gtest/gtest.h>
 
 #include <cmath>

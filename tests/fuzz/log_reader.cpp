@@ -1,5 +1,6 @@
-// Fuzzes the reader of match logs. The log's checksums detect plain damage. So most mutants get correct
-// checksums, and get as far as zstd, the decoder, and the match that the header describes.
+// Fuzzes the reader of match logs. Checksums in a log detect simple damage. Most mutants (mutated logs)
+// therefore get correct checksums, so that they also test decompression, the decoder, and the making of the
+// match.
 #include <zstd.h>
 
 #include <cstring>
@@ -94,7 +95,7 @@ std::string with_body(const Bytes& log, const std::string& body) {
     out.insert(out.end(), bytes.begin(), bytes.end());
     samples::put_at(out, 12, static_cast<std::uint32_t>(body.size()));
     samples::put_at(out, 16, hash_bytes(bytes, hash_bytes(std::span(out).first(16))));
-    // A copy whose header gives signed_block the value that enters the checksums of blocks.
+    // This copy has the new header, from which signed_block takes the value that enters checksums of blocks.
     Bytes signing = out;
     for (const auto& place : samples::blocks_of(log)) {
         const auto block = std::span(log).subspan(place.begin, place.end - place.begin);

@@ -1,4 +1,4 @@
-// A program that adds a haptic mode by one .cpp of its own (homing.cpp).
+// Tests that a program can add a haptic mode by one source file of its own (homing.cpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>

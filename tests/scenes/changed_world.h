@@ -25,7 +25,7 @@ class ChangedWorld {
 public:
     ChangedWorld(haptics::DeviceSpec spec, const haptics::Hand& hand, bool surface)
         : spec_(std::move(spec)), surface_(surface) {
-        // High, because warm motors weaken springs, which would hide created energy.
+        // This limit is high, because warm motors weaken springs, which would hide created energy.
         spec_.continuous_force = 10 * spec_.peak_force;
         device_ = haptics::simulated_device(spec_, hand);
         servo_ = haptics::servo_of(spec_, 1);

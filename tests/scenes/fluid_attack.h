@@ -69,7 +69,7 @@ inline double absurd_number(Attack& attack) {
     return numbers[attack.random.below(numbers.size())];
 }
 
-/// A push on the fluid with one such absurd number in its position, radius or impulse.
+/// A push on the fluid with one absurd number (NaN, infinite or huge) in its position, radius or impulse.
 inline Push absurd_push(Attack& attack) {
     Push result = flows::random_push(attack.fluid.settings, 1, attack.random);
     const auto which = static_cast<int>(attack.random.below(7));

@@ -94,7 +94,7 @@ struct ThickLayer {
     static bool is_thick(vec3 place) { return place.y < 0.5; }
     /// Velocity of the steady flow (m/s). Both layers have the same shear stress.
     double speed(vec3 place) const {
-        const double below = 1 / (1 + ratio);  // speed at the boundary of the layers
+        const double below = 1 / (1 + ratio);  // speed at the boundary of the layers (m/s)
         return is_thick(place) ? 2 * place.y * below : below + (2 * place.y - 1) * (1 - below);
     }
 };

@@ -177,8 +177,8 @@ private:
         hand_ = haptics::step(device_, hand_, target_, force);
         const double work = glm::dot(hand_.force, hand_.position - from);
         created_ += work;
-        // At rest springs and primitives store no energy. What damping has dissipated before must not count
-        // in favour of the forces later.
+        // At rest springs and primitives store no energy. Energy that damping dissipated earlier must not
+        // hide energy that the forces create later.
         if (stored() < 1e-3) created_ = std::max(created_, 0.0);
         given_ += work;
         ++result.ticks;
@@ -213,7 +213,7 @@ private:
                 .sensed = 3,
                 .actuated = 3,
                 .peak_force = 3.3,
-                // High, because warm motors would weaken springs, which is not tested here.
+                // This limit is high, because warm motors would weaken springs, which is not tested here.
                 .continuous_force = 3.3,
                 .max_stiffness = 400,
                 .max_damping = 3,

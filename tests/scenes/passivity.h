@@ -105,8 +105,8 @@ private:
         double held = row.stiffness * glm::dot(stretch, stretch) / 2;
         if (row.touches) {
             const vec3 pressed = row.surface - (row.real ? row.at : first.at);
-            // Upper bound on the stored energy of a spring whose force is constant beyond some stretch: the
-            // whole rectangle.
+            // Upper bound on the energy stored in a spring whose force is constant beyond some stretch: force
+            // times stretch.
             held += std::max(0.0, glm::dot(row.passive, pressed)) / (row.cut ? 1 : 2);
         }
         if (row.stiffness > 0 && first.stiffness == 0) created_ = -held;

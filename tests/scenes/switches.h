@@ -67,8 +67,8 @@ struct SwitchRun {
     double mean_created{};  ///< mean energy created by a switch (J)
     double fastest{};       ///< largest speed of the tip (m/s)
     double max_jump{};      ///< largest change of force in the tick of a switch (N)
-    /// Largest change of force in any tick beyond that of a spring of the device's stiffness (N), while the
-    /// tip is no faster than `steady_speed`, and at any speed.
+    /// Largest change of force in any tick beyond that of a spring of the device's stiffness (N):
+    /// `max_change` while the tip is no faster than `steady_speed`, `max_fast_change` at any speed.
     double max_change{}, max_fast_change{};
     int switches{};
 };

@@ -1,6 +1,6 @@
-// A command of the program in this source alone: no file of the game knows it. A real command stands in
-// game/app/tool_commands/NAME.cpp, and has a line in game/app/dispatch.cpp, so that `thaum` lists it and
-// leaves it to thaum-tools.
+// Adds a command to the program by this source file alone, without a change of the game's files. A command of
+// the game is in game/app/tool_commands/NAME.cpp, and has a line in game/app/dispatch.cpp, so that `thaum`
+// lists it and starts thaum-tools for it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// A kind of event that only this source, which records it, and a row of events.toml define: no file of the
-// game knows it.
+// Adds a kind of event by this source file, which records it, and a row of events.toml, without a change of
+// the game's files.
 #include <gtest/gtest.h>
 
 #include "game/data/event_kinds.h"

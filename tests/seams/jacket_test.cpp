@@ -1,5 +1,5 @@
-// A maker of tactile jackets (here of drums) in this source alone: no file of the game knows it. A real maker
-// stands in game/jackets/makers/NAME.cpp.
+// Adds a maker of tactile jackets (here of drums) by this source file alone, without a change of the game's
+// files. The makers of the game are in game/jackets/makers/NAME.cpp.
 #include <gtest/gtest.h>
 
 #include <thread>

@@ -1,5 +1,5 @@
-// A potion with an effect of its own, in this source and one data file: no file of the game knows it. A real
-// potion stands in game/stations/potions/NAME.cpp and assets/potions/NAME.toml.
+// Adds a potion with a new effect by this source file and one data file, without a change of the game's
+// files. The potions of the game are in game/stations/potions/NAME.cpp and assets/potions/NAME.toml.
 #include <gtest/gtest.h>
 
 #include "game/data/potion_effect.h"
@@ -82,7 +82,7 @@ const std::filesystem::path& with_giggle() {
     return assets.path();
 }
 
-/// Index of the gesture "v" among the gestures of the game.
+/// Index of the gesture "v" in the list of the game's gestures.
 constexpr std::uint32_t v = 3;
 
 void brew_giggle(Kitchen& kitchen) {

@@ -1,5 +1,5 @@
-// The hail wand, a sixth wand that only the tests have. With its data file it is all that a new wand
-// needs: no file of the game knows it.
+// The hail wand, a sixth wand that only the tests have. This file and the wand's data file are all that a new
+// wand needs: the game's files stay unchanged.
 #include <algorithm>
 
 #include "game/components/hand_state.h"

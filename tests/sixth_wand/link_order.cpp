@@ -1,5 +1,5 @@
-// Prints the numbers of all kinds of event and the hashes of a duel with six wands. The build links it twice,
-// with the objects of the wands in either order. Both programs must print the same.
+// Prints the numbers of all kinds of event and the hashes of a duel with six wands. The build links this
+// program twice, with the object files of the wands in opposite order. Both programs must print the same.
 #include <cstdio>
 
 #include "game/bots/duel.h"

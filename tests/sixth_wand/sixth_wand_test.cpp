@@ -1,5 +1,5 @@
-// A wand that no file of the game knows (hail.cpp, hail.toml) is a full wand: its kinds of hit have numbers
-// and names, data rows for sound and effects, columns in statistics, bots shoot with it, and it is drawn.
+// A wand that exists only in this folder (hail.cpp, hail.toml) must work like those of the game: its kinds of
+// hit have numbers, names, sounds, effects and columns in statistics, bots shoot with it, and it is drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>

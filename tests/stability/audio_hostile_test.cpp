@@ -99,7 +99,8 @@ TEST(MixerHostile, RandomFramesNeverClipAndNeverBreakTheMixer) {
     EXPECT_EQ(mixing.report().voices, 1U);
 }
 
-/// Largest change of the limiter's gain from sample to sample, found from a constant signal beside the peaks.
+/// The limiter's gain, measured with a constant signal in one channel while peaks occur in the other, must
+/// change only a little from sample to sample.
 TEST(Limiter, ItsGainMovesEvenlyAndKeepsEveryPeakBelowOne) {
     detail::Limiter limiter;
     Attacker attacker(5);

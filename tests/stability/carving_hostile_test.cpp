@@ -64,7 +64,8 @@ TEST(CarvingHostile, UndoIsExactWithLittleMemory) {
         if (random.below(10) != 0) continue;
         while (can_undo(history)) {
             undo(history, body.view());
-            // However much history was dropped, the body must be as after some edit, never a mixture.
+            // However much history was dropped, the body must equal that after some edit, never a mixture of
+            // two.
             ASSERT_NE(std::ranges::find(seen, hash_of(body)), seen.end()) << i;
         }
         ASSERT_LE(history.ring.size(), 20U);

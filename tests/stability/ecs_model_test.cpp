@@ -1,5 +1,5 @@
-// Compares the World with the simplest correct model, a map from entity to values, after each step of long
-// random histories.
+// Compares the World (the store of entities and components) with the simplest correct model, a map from
+// entity to values, after each step of long random histories.
 #include <gtest/gtest.h>
 
 #include <map>

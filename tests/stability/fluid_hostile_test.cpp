@@ -62,8 +62,8 @@ double difference(const Fluid& one, const Fluid& other) {
     return std::sqrt(apart / square);
 }
 
-/// A push for which a step would need four or five sub-steps, more than allowed. Twenty steps later the flow
-/// must be close to that with fine steps.
+/// After a push for which a step would need more sub-steps than allowed, the solver falls back to a
+/// semi-Lagrangian step. Twenty steps later the flow must be close to that with fine steps.
 TEST(FluidHostile, ASemiLagrangianStepIsCloseToFineSteps) {
     constexpr int fine = 16, steps = 20;
     flows::Flow flow = flows::taylor_green_box(0);

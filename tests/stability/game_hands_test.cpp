@@ -1,7 +1,7 @@
-// Stress on hands that use lift and swing: invalid poses, jumps of position, hands that shake at 10 m/s,
-// springs of 10^6 N/m, things that are wedged, held by both wizards or destroyed, devices that vanish, and a
-// match that stalls. Forces must stay finite and within the force limit, energy bounded, things inside the
-// walls, and wizards below a speed limit.
+// Stress tests of hands that use lift and swing: invalid poses, jumps of position, hands that shake at 10
+// m/s, springs of 10^6 N/m, things that are wedged, held by both wizards or destroyed, devices that vanish,
+// and a match that stalls. Forces must stay finite and within the force limit, energy bounded, things inside
+// the walls, and wizards below a speed limit.
 #include <memory>
 
 #include "core/text.h"
@@ -19,7 +19,7 @@ std::int32_t anything(Random& random) {
     }
 }
 
-/// A wand by its name, and what makes the hand lift or swing with it, so that one test serves both wands.
+/// A wand to test, lift or swing: its name, and the function that makes the hand use the wand.
 struct StressedWand {
     const char* name;
     void (*begin)(HandsRig&);
@@ -134,8 +134,8 @@ TEST(LiftStress, StaysBoundedForAnyStiffnessAndMass) {
             shake = true;
             rig.run(2500);
             rig.watch.expect_tame(0.4);
-            // Bound: energy of a spring stretched by lost_m (where lift loses a thing), or of a thing as fast
-            // as its hand, plus the energy of a fall.
+            // Bound: the energy of a spring stretched by 2.5 m, at which lift loses a thing, or of a thing
+            // that is as fast as its hand, plus the energy of a fall.
             constexpr double lost = 2.5, hand = 20 * 0.4;
             const double most =
                 std::max(stiffness * lost * lost / 2, mass * hand * hand * 2) + mass * 9.81 * 3;

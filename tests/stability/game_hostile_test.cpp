@@ -1,5 +1,5 @@
-// Matches with random input: the state must stay finite and within bounds. Also logs that this program must
-// refuse to play.
+// Tests matches with random input: the state must stay finite and within bounds. Also tests logs that this
+// program must refuse to play.
 #include "core/file.h"
 #include "game/data/wand_slots.h"
 #include "game/match/playback.h"
@@ -187,7 +187,8 @@ TEST(GameHostile, ALogOfAnotherBuildIsReplayedWithAWarning) {
         << "format 1 does not say";
 }
 
-/// Names must be right, because tests/scenario.cmake selects logs by the rules version in their names.
+/// Names of stored logs must be right, because tests/scenario.cmake selects logs by the rules version in
+/// their names.
 TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongThem) {
     bool current = false;
     for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/tests/replays")) {

@@ -1,5 +1,5 @@
-// Attacks on determinism (engine/ARCHITECTURE.md, "State and caches"): restored states, other Worlds running
-// at the same time, dropped caches, and one value corrupted on purpose, which the hashes must reveal.
+// Tests determinism (engine/ARCHITECTURE.md, "State and caches") under attack: restored states, other Worlds
+// running at the same time, dropped caches, and one value corrupted on purpose, which the hashes must reveal.
 #include <thread>
 
 #include "core/random.h"

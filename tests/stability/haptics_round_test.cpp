@@ -361,8 +361,8 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
 
 /// Friction 0.061 holds a proxy in the groove of a sphere and a capsule, a third of the way to where the next
 /// sphere would stop it. The exact position comes from integrating the descent in long double. Beyond that
-/// position the pull leaves the cone again. A former fault: a check only at the path's end let the proxy
-/// continue to the sphere, with an error of 0.086 N in 0.22 N.
+/// position the pull leaves Coulomb's cone again. A former fault: a check only at the path's end let the
+/// proxy continue to the sphere, with an error of 0.086 N in 0.22 N.
 TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
     SurfacePatch patch = rubbing_patch(0.061098345613583738);
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -483,7 +483,7 @@ Crossing crossing(SurfaceKind kind, bool mesh, Random& random) {
 /// former fault: the edge of a box and the seam of two triangles held the proxy beside a round solid, with up
 /// to 12 N.
 TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
-    // Tolerance (m): over 0.1 um, a fiftieth of the force is along the surface.
+    // Tolerance (m): a fiftieth of a step of 0.1 um. A fiftieth of the force may be along the surface.
     constexpr double tolerance = 2e-9;
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const bool mesh : {false, true}) {

@@ -138,7 +138,7 @@ TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
     hand.uses[0].settings.strength = field::constant(1.4);
     EXPECT_LE(hand.rest_at({0, 0.002, 0}, {0, 0.02, 0}), max_change);
     EXPECT_NEAR(hand.force.y, -300 * 0.002, 0.002) << "it rests on the ridge";
-    // A hand that moves on the ridge at 20 mm/s must feel no more than the spring at twice its displacement.
+    // Along the ridge at 20 mm/s, the force must not change by more than twice the spring's change in a tick.
     double largest = 0;
     for (int tick = 0; tick < 500; ++tick) largest = std::max(largest, hand.feel({2e-5 * tick, 0.002, 0}));
     EXPECT_LE(largest, 2 * 300 * 2e-5 + 2e-3);
@@ -231,7 +231,7 @@ TEST(StillHand, AHandThatCreepsOrTremblesInSeveralModesFeelsNoChatter) {
 
 TEST(StillHand, ADamperMakesNoJumpOfAWallThatIsMet) {
     const field::Plane ground{.through = {}, .normal = {0, 1, 0}};
-    // Spring and damper are those of an omega.3 in the lab: 5,000 N/m and 15 N s/m.
+    // An omega.3 (a haptic device) has a stiffness of 5,000 N/m and a damping of 15 N s/m in the lab.
     for (const double speed : {0.03, 0.1, 0.3}) {
         FeltChange felt({{find_mode("isosurface"), any_field(field_of<Scalar>(ground)), {}}}, 5000, 15);
         felt.hand.uses[0].settings.strength = field::constant(9);
@@ -352,8 +352,8 @@ TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
     EXPECT_EQ(go({0.01, 0, 0}, {0.012, 0, 0}), vec3(0.012, 0, 0));
     EXPECT_LE(go({0.012, 0, 0}, {}).x, 0.012 - 0.001);
     EXPECT_GT(go({0.011, 0, 0}, {}).x, 0);
-    // However the position that balances all forces jumps, the proxy, which follows it, must move less and
-    // less in each tick at rest.
+    // The position that balances all forces jumps at random. While the hand rests, the proxy, which follows
+    // that position, must move less and less.
     Random random{3};
     vec3 proxy(0);
     for (int tick = 0; tick < 600; ++tick) {

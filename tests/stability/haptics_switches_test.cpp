@@ -58,8 +58,8 @@ TEST(HapticsSwitches, AWorldThatChangesAgainAndAgainPushesNoHandAway) {
                     const auto which = static_cast<int>(change);
                     EXPECT_LE(world.most_created(), max_per_switch)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
-                    // Not checked where a surface comes back: a hand that meanwhile fell meets it like any
-                    // wall, with a jump of force.
+                    // The change is not checked when a surface comes back: a hand that fell meanwhile meets
+                    // it like any wall, with a jump of force.
                     if (surface && change == bench::WorldChange::spring) continue;
                     EXPECT_LE(world.max_jump(), 0.75)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
@@ -194,7 +194,7 @@ TEST(HapticsSwitches, TheBrakeBeginsSlowlyAndPullsNoHandIntoAWall) {
 /// Energy that a wall, moved by 4 mm every `period` ticks, creates at a firm hand that moves in and out (J).
 double created_by_edits(const DeviceSpec& spec, int period) {
     auto device_spec = spec;
-    // High, because warm motors weaken forces, which would hide created energy.
+    // This limit is high, because warm motors weaken forces, which would hide created energy.
     device_spec.continuous_force = 10 * spec.peak_force;
     const auto device = simulated_device(device_spec, {.mass = 0.4, .stiffness = 1500, .damping = 40});
     const Servo servo = servo_of(device_spec, 1);
@@ -267,14 +267,14 @@ TEST(HapticsSwitches, WarmMotorsMakeNoJumpWhenForcesGoOffAndOn) {
     }
 }
 
-/// What forces that push a hand in quick succession have done to it.
+/// Effects of forces that push a hand in quick succession.
 struct Pushed {
     double max_change{};  ///< largest change of the output in a tick, beyond that of a spring (N)
     double max_work{};    ///< largest work on the hand within a second (J)
 };
 
-/// A loosely held device that swings, and a directed force that jumps every few ticks, mostly to the way that
-/// the hand moves. Motor heat is left out, because it would hide work.
+/// Moves a swinging, loosely held device by a directed force that changes every few ticks, mostly to the
+/// direction of the hand's motion. Motor heat is left out, because it would hide work.
 Pushed push_again_and_again(DeviceSpec spec, std::uint64_t seed) {
     spec.continuous_force = 10 * spec.peak_force;
     const Servo servo = servo_of(spec, 1);

@@ -104,7 +104,7 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
     EXPECT_LE(delivered_limit(spec, {}, newtons),
               exact_limit(spec));  // limit without damping and controller: 334 N/m, and less after a landing
     EXPECT_GE(delivered_limit(spec, {.damping = 2, .controller = 5}, newtons), 2000);
-    // With the passivity controller alone, without damping of the wall.
+    // The passivity controller acts alone, without damping of the wall.
     EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);
     for (const double stiffness : {1000.0, 1500.0, 2000.0}) {
         const Pressed at = pressed(spec, {stiffness, 2, 5}, newtons);
@@ -114,7 +114,7 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
         EXPECT_LE(at.added_later, 0.05) << stiffness;  // once settled, stiffness alone acts (N)
         EXPECT_LE(at.created, 0.02) << stiffness;
     }
-    // Without damping and controller, the wall of 1,000 N/m throws the hand off.
+    // Without damping and controller, the device oscillates strongly on the wall of 1,000 N/m.
     EXPECT_GT(pressed(spec, {.stiffness = 1000}, newtons).shake, 0.5 * newtons / 1000);
 }
 

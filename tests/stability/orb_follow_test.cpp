@@ -1,6 +1,6 @@
-// The haptic mode `follow`, in which a hand slides along a flow, guides without sight: a bot that knows only
-// its own positions and the force finds the hidden core of 30 orbs at least twice as fast as the same bot
-// without forces, in the median. The bot is the scenario follow_mode_guides_blind.
+// The haptic mode `follow`, in which a hand slides along a flow, lets a hand find its way without sight: a
+// bot that knows only its own positions and the force finds the hidden core of 30 orbs at least twice as fast
+// as the same bot without forces, in the median. The bot is the scenario follow_mode_guides_blind.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Hostile curves (strength over a field's value) of the haptic modes at the orb: strengths up to 10^6 N of
-// either sign that jump, all pairs of modes, both players at once.
+// Tests the haptic modes at the orb with hostile curves (strength over a field's value): strengths jump, up
+// to 10^6 N of either sign. All pairs of modes are tested, by both players at once.
 #include <cmath>
 
 #include "core/random.h"
@@ -24,7 +24,7 @@ public:
     void add(const HandState& before, const HandState& current, const haptics::HapticModel& model,
              double cap) {
         created_ += glm::dot(current.device.force, current.device.position - before.device.position);
-        // Energy that was dissipated earlier must not count in favour of the forces later.
+        // Energy that was dissipated earlier must not hide energy that the forces create later.
         if (stored(current, model, cap) < 1e-3) created_ = std::max(created_, 0.0);
         max_ = std::max(max_, created_);
     }

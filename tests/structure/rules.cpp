@@ -244,7 +244,7 @@ const std::set<std::string, std::less<>> may_read_own = {
 const std::set<std::string, std::less<>> may_read_environment = {"engine/core/environment.cpp",
                                                                  "tools/suite/mutant_switch.h"};
 
-/// Strings with which code that opens a file begins.
+/// Text by which code that opens a file is recognised, such as a function's name with its bracket.
 constexpr std::array<std::string_view, 16> openers = {
     "::open(",     "::openat(",    "::creat(",   "fopen(",     "freopen(", "fdopen(",
     "popen(",      "mkstemp(",     "ifstream",   "ofstream",   "fstream",  "luaL_loadfil",

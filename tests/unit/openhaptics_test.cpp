@@ -35,7 +35,7 @@ FakeHdReport report() { return function<FakeHdReport (*)()>("fakeHdReport")(); }
 
 void tell(const std::string& words) { ::setenv("FAKE_HD", words.c_str(), 1); }
 
-/// Waits until the condition holds, for as long as the slowest machine may need.
+/// Waits until the condition holds. The time limit is long enough for the slowest machine.
 template <class F>
 bool soon(F holds) {
     for (int i = 0; i < 5000; ++i) {
@@ -67,7 +67,7 @@ std::string refusal(const std::string& words) { return message_of(open_fake(word
 
 bool has(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
-/// A simulated user of the arm: what it measures in each tick, and the force that it asks for.
+/// A program that uses the arm: notes what the arm measures in each tick, and requests a force.
 struct Hand {
     std::atomic<std::uint64_t> ticks{0}, unusable{0};
     std::atomic<std::int32_t> x_um{0}, y_urad{0};
@@ -185,8 +185,8 @@ TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 400; }));
     const auto current = report();
-    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x; 0.26 N of
-    // friction holds up to 0.43 mm away.
+    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x at the position x (m). Dry friction of
+    // 0.26 N can hold the tip up to 0.43 mm away from there.
     EXPECT_NEAR(current.position[0], 0.00667, 0.0005);
     EXPECT_NEAR(current.force[0], -200 * current.position[0], 0.02);
     EXPECT_NEAR(hand.x_um, current.position[0] * 1e6, 56);
@@ -229,7 +229,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForce) {
     ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return report().force[2] == 2; }));
     arm.reset();
-    // The last frame's force acts from the tick after it.
+    // The force that the last frame has set acts from the next tick on.
     const auto left = report();
     EXPECT_EQ(left.max_force, 2);
     EXPECT_EQ(left.left[2], 0);
@@ -351,7 +351,7 @@ struct TwoArms {
     }
 };
 
-/// Each hand is held at another place, and each arm gets another force: nothing of one arm reaches the other.
+/// Each hand is held at another place, and each arm gets another force. Neither may affect the other arm.
 TEST(OpenHaptics, TwoArmsHaveTheirOwnPlacesAndForces) {
     const Way right("0 10 0 0 0\n"), left("0 -10 0 0 1\n");
     TwoArms arms("path=" + left.file, "path=" + right.file);

@@ -1,6 +1,6 @@
-// Tests of jackets that get OSC messages by UDP: the bytes, when they go out, and that a dead jacket costs
-// nothing. The byte traces in tests/tactile are of the VRCH server's protocol, and were not made by this
-// program.
+// Tests of jackets that get OSC messages by UDP: the bytes, when they go out, and that a jacket that is
+// switched off costs nothing. The byte traces in tests/tactile are of the VRCH server's protocol, and were
+// not made by this program.
 #include "game/jackets/makers/osc.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// unit/overlay_items.h: an overlay of the HUD, and what it shows.
+// unit/overlay_items.h: makes an overlay of the HUD for tests, and finds items in it.
 #pragma once
 #include <algorithm>
 #include <string_view>
@@ -45,8 +45,8 @@ inline std::vector<const render::TextItem*> texts_of(const render::Overlay& over
     return found;
 }
 
-/// The text that is exactly these words; nullptr: there is none. Not its dark copy, which is drawn below it
-/// so that it is readable on any background.
+/// The text that is exactly these words; nullptr: there is none. Texts are drawn over a dark copy, which
+/// makes them readable on any background; the copy is not returned.
 inline const render::TextItem* text_item(const render::Overlay& overlay, std::string_view words) {
     const auto found = texts_of(overlay, words);
     return found.empty() ? nullptr : found.back();

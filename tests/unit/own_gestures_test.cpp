@@ -30,7 +30,7 @@ std::shared_ptr<const game::MatchData> own_data() {
     return loaded;
 }
 
-/// Counts of the mouse for one tick of a triangle of 800 ticks.
+/// Motion of the mouse in one tick (counts) while a hand draws a triangle in 800 ticks.
 vec2 triangle_counts(int tick) {
     const int side = tick / 267;
     return side == 0 ? vec2(3, 5) : side == 1 ? vec2(3, -5) : vec2(-6, 0);
@@ -177,8 +177,8 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
         }
         EXPECT_LE(mistaken, 2) << name;
     }
-    // To a player a narrow V is the game's V, although its few recorded strokes are more similar to each
-    // other.
+    // The check must find that a narrow V is too similar to the game's V, although the few recorded strokes
+    // are more similar to each other.
     const auto narrow = gesture_along(
         "circle", [](double u) { return u < 0.5 ? vec3(0.7 * u, -2 * u, 0) : vec3(0.7 * u, 2 * u - 2, 0); });
     for (const auto* name : {"circle", "s", "star"}) {

@@ -72,9 +72,9 @@ TEST(Mover, ARopeTakesAsMuchTractionAsWeight) {
         }
         return w.velocity().x;
     };
-    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // the rope bears nothing: the acceleration of walking
+    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // unloaded rope: acceleration as in walking
     EXPECT_NEAR(speed_after(weight / 2), 20 * 0.05, 0.02);
-    // The rope bears the whole weight: the acceleration in the air.
+    // If the rope carries the whole weight, the wizard accelerates as in the air.
     EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);
     EXPECT_NEAR(speed_after(3 * weight), 4 * 0.05, 0.02);
 }
@@ -237,8 +237,8 @@ double pushed_distance(double mass, double friction) {
 }
 
 TEST(Mover, PushesWithAPersonsForce) {
-    // The wizard pushes with 700 N against a friction of 0.7 * 0.7 of the weight. A mass of 60 kg needs 288 N
-    // and moves; 300 kg need 1,442 N and stay.
+    // The wizard pushes with 700 N. The coefficient of friction is 0.7 * 0.7, so a body of 60 kg needs 288 N
+    // and moves; one of 300 kg needs 1,442 N and stays.
     EXPECT_GT(pushed_distance(60, 0.7), 1.0);
     EXPECT_LT(pushed_distance(300, 0.7), 0.01);
 }
@@ -293,7 +293,8 @@ std::pair<double, double> fastest_over_plank(double thickness, double mass) {
     return {pace, slide};
 }
 
-// A foot that strikes the edge of a plank pushes it ahead. Standing on it, a walker once reached 6 m/s.
+// A foot that strikes the edge of a plank pushes the plank ahead. A former fault: a walker on such a moving
+// plank reached 6 m/s.
 TEST(Mover, APlankUnderfootMakesNobodyFasterThanWalking) {
     for (const auto& [thickness, mass] : {std::pair(0.04, 12.0), {0.06, 15.0}, {0.1, 30.0}, {0.1, 100.0}}) {
         const auto [pace, slide] = fastest_over_plank(thickness, mass);

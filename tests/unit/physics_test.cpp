@@ -322,7 +322,7 @@ TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
     physics.add(2, box({0.005, 2, 2}, 0), at({0, 0, 0}));
     Random random{4};
     const double step = 400 * dt;
-    for (int i = 0; i < 2000; ++i) {  // a bolt at 400 m/s, tick by tick, from any place and angle
+    for (int i = 0; i < 2000; ++i) {  // a fast projectile, moved 0.4 m in each tick
         vec3 from{-1 - random.uniform(), random.uniform() - 0.5, random.uniform() - 0.5};
         const vec3 way = glm::normalize(vec3{1, random.uniform() - 0.5, random.uniform() - 0.5}) * step;
         bool hit = false;
@@ -330,7 +330,7 @@ TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
             hit = physics.ray(from, from + way).has_value();
         ASSERT_TRUE(hit) << i;
     }
-    // A ray that meets the edge hits the body; 1 nm beside it, it misses.
+    // A ray along the edge hits the body; a ray 10 nm beside the edge misses it.
     EXPECT_TRUE(physics.ray({0, 500, 0}, {0, -500, 0}));
     EXPECT_TRUE(physics.ray({0.005, 500, 0}, {0.005, -500, 0}));
     EXPECT_FALSE(physics.ray({0.00500001, 500, 0}, {0.00500001, -500, 0}));
@@ -349,7 +349,7 @@ TEST(PhysicsRay, HitsMeshes) {
     Physics physics({}, {hills(8, 0)});
     physics.add(2, {.shape = Shape::mesh}, {.position = {0, 1, 0}, .orientation = rotation({0, 1, 0}, 0.3)});
     Random random{5};
-    for (int i = 0; i < 200; ++i) {  // hits are exact, and no seam between triangles is a gap
+    for (int i = 0; i < 200; ++i) {  // hits on the seam of two triangles must be exact
         const double x = std::floor(random.uniform() * 5) - 2, z = random.uniform() * 4 - 2;
         const vec3 seam = rotation({0, 1, 0}, 0.3) * vec3{x, 0, z};
         const auto hit = physics.ray(seam + vec3{0, 300, 0}, seam - vec3{0, 300, 0});

@@ -88,7 +88,7 @@ TEST(TakePicture, AShotIsSeenAsAMissile) {
 
 TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
     const auto match = new_match();
-    for (int i = 0; i < 8000; ++i) match->tick({});  // at the start the kill feed shows recipes
+    for (int i = 0; i < 8000; ++i) match->tick({});  // skips the start, when the kill feed shows recipes
     auto& world = match->world_to_change();
     const auto victim = wizard_of(world, 1);
     hurt(match->context_to_change(), victim, match->match().played,

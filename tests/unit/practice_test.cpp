@@ -79,8 +79,8 @@ protected:
     const std::size_t at_ = bolt_.find("damage = 6") + 9;
 };
 
-/// Counts how often a thread that sleeps 1 ms at a time wakes up. On a busy machine this clock slows down as
-/// other threads do.
+/// Counts how often a thread that sleeps 1 ms at a time wakes up. On a busy machine this count grows more
+/// slowly, as the work of other threads does.
 class WakeUps {
 public:
     ~WakeUps() { stop_ = true; }

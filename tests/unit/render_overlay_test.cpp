@@ -67,7 +67,7 @@ TEST(AtlasTest, GrowsAndStartsAnewWhenFull) {
     big.coverage.assign(250000, 7);
     char32_t c = 0;
     while (atlas.place(c, 400, big).x >= 0) ASSERT_LT(++c, 100U);
-    EXPECT_EQ(c, 16U);  // the atlas has room for eight rows of two big glyphs
+    EXPECT_EQ(c, 16U);  // the atlas (texture of all glyphs) has room for eight rows of two big glyphs
     EXPECT_GE(atlas.place(0, 400, big).x, 0) << "placed glyphs must stay for this frame";
     atlas.start_frame();
     EXPECT_GE(atlas.place(c, 400, big).x, 0);

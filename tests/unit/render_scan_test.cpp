@@ -85,7 +85,8 @@ void make_hole(std::vector<std::uint16_t>& samples, std::vector<std::uint32_t>& 
     ++versions[(1 * 5 + 2) * 5 + 1];
 }
 
-/// Pixel at which a sample of a cube of 2 m appears from a distance of 3 m, enlarged `nearer` times.
+/// Pixel column at which a sample of the cube appears, if the cube is 2 m wide, its middle 3 m away and the
+/// picture enlarged `nearer` times.
 float pixel_of_sample(float sample, float nearer) {
     return 0.5F * picture_side * (1 + (sample - 16) / 16 * nearer / 3 / std::tan(0.4F));
 }

@@ -15,8 +15,8 @@ namespace thaum::render {
 inline constexpr int picture_side = 120;  // width and height of a picture (px)
 inline constexpr float colour_tolerance = 2.0F / 255;
 
-/// Samples of a cube, `n` along a side; 65,535 stands for a density of 1. `density` maps a position (in
-/// sample distances from the middle) to 0 to 1.
+/// Samples of a cube, `n` along each edge; 65,535 stands for a density of 1. `density` maps a position
+/// (relative to the middle, in sample distances) to a density from 0 to 1.
 template <class Density>
 std::vector<std::uint16_t> sampled(int n, Density density) {
     std::vector<std::uint16_t> out;
@@ -33,7 +33,8 @@ std::vector<std::uint16_t> sampled(int n, Density density) {
     return out;
 }
 
-/// Density 0.5 at `radius` sample distances from the middle, with a ramp of 8 sample distances.
+/// Samples of a ball. The density is 0.5 at `radius` sample distances from the middle, and falls from 1 to 0
+/// within 8 sample distances.
 inline std::vector<std::uint16_t> ball_samples(int n, float radius) {
     return sampled(n, [&](fvec3 at) { return 0.5F + (radius - glm::length(at)) / 8; });
 }

@@ -146,7 +146,7 @@ TEST_F(ScenarioRunner, FailuresNameLineAndTick) {
 /// Faulty scripts, with a part of the message for each.
 using Misuse = std::pair<const char*, const char*>;
 
-/// Faults in the line after match{...}.
+/// Faulty lines after the line match{...} of a script, each with a part of its message.
 constexpr Misuse misused_verbs[] = {
     {"match {}", "match{...} stands once in a scenario"},
     {"wizard(3)", "there are wizard(1) and wizard(2)"},

@@ -239,7 +239,7 @@ TEST(Sandbox, LongTextsAndListsCostSteps) {
     EXPECT_LT(sandbox.steps(), 20'000U);
 }
 
-/// The steps of going through a text byte by byte are proportional to its length.
+/// Reading a text byte by byte takes steps in proportion to its length, not to the square of its length.
 TEST(Sandbox, ReadingOneByteIsCheap) {
     Sandbox sandbox;
     ASSERT_TRUE(sandbox.start(

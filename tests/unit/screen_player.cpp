@@ -34,7 +34,7 @@ const Sight* nearest(const Screen& seen, std::string_view what) {
     return best;
 }
 
-/// The topmost of those objects of a kind that are about as near as the nearest one.
+/// Among those objects of a kind that look about as near as the nearest one, the highest in the window.
 const Sight* topmost(const Screen& seen, std::string_view what) {
     constexpr float about = 0.5F;
     const auto* near = nearest(seen, what);

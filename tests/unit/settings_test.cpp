@@ -147,8 +147,8 @@ TEST(Settings, EachPlayerHasATableAndOldFilesHaveTheValuesAtTheTop) {
                                              .sensitivity = 3,
                                              .force = 0,
                                              .prompts = game::PromptWish::never}));
-    // After a change of one player's value, the value for both players, which stands above it in the file,
-    // still applies to the other player.
+    // The value for both players stands above in the file. After a change of one player's own value, it must
+    // still apply to the other player.
     auto wanted = *s;
     wanted.players[1].sensitivity = 1;
     const std::string old = "version = 1\nsensitivity = 2\n";
@@ -168,8 +168,8 @@ TEST(Settings, EachPlayerHasSticksAndOldFilesHaveOneDeadZoneForBoth) {
     const std::string old = "version = 1\n[pad]\nfire = \"pad b\"\nstick_dead_zone = 0.3 # worn\n";
     const auto former = parse_settings(old, "s").value();
     for (const auto& player : former.players) EXPECT_EQ(player, PlayerSettings{.stick_dead_zone = 0.3});
-    // A player's own value has precedence over the value for all pads. A change of one player's own value
-    // leaves the other player's unchanged.
+    // The value for all pads applies to both players. If one player gets another value, that of the other
+    // player must stay the same.
     auto wanted = former;
     wanted.players[1].stick_dead_zone = PlayerSettings{}.stick_dead_zone;
     const auto edited = edit_settings(old, "s", changes(former, wanted)).value();

@@ -1,5 +1,5 @@
-// Files of layouts (where the actuators are) and of effects: the shipped ones are read, and each fault is
-// named.
+// Tests of the files of layouts (where the actuators are) and of effects: the shipped files are accepted, and
+// the error for a faulty file names the fault.
 
 #include <set>
 

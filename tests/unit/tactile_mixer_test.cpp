@@ -7,7 +7,7 @@
 namespace thaum::tactile {
 namespace {
 
-/// A layout with one actuator at each place, far from the others.
+/// A layout of `count` actuators in a row, far from each other (30 mm).
 Layout apart(std::size_t count) {
     std::vector<Actuator> actuators;
     for (std::size_t i = 0; i < count; ++i)

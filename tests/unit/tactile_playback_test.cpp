@@ -1,5 +1,5 @@
-// Tests of how tactile frames reach an output, with a clock that the test sets, and of the thread around
-// this. No test waits for a fixed time.
+// Tests of how tactile frames reach an output, with a clock that the test sets, and of the thread that plays
+// the frames. No test waits for a fixed time.
 #include "input/tactile_playback.h"
 
 #include <gtest/gtest.h>

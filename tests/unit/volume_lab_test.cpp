@@ -98,7 +98,7 @@ TEST(VolumeLab, ABallIsFeltWhereItIsDrawn) {
 }
 
 TEST(VolumeLab, AHandAtRestBeyondAnEdgeFeelsNothing) {
-    // The surface meets a face of the volume's box at a slant. Its plane goes on outside, above the hand.
+    // The surface meets a face of the volume's box at a slant. Continued outside, it would be above the hand.
     constexpr int n = 29;
     field::Volume volume{.count = {n, n, n}, .spacing = vec3(1e-3)};
     for (int i = 0; i < n * n * n; ++i) {
@@ -355,7 +355,7 @@ TEST(VolumeLab, ShorterServoStepsFeelTheSameWallAndBuzzLessOnAStiffOne) {
         EXPECT_LT(glm::length(lab.hand.velocity), 2e-3) << steps;
     }
     // With a stiffness far above what the device can render, the hand vibrates on the wall; shorter steps
-    // reduce the vibration. The limits of stable stiffness are rows of the bench (servo_rate).
+    // reduce the vibration. The benchmark servo_rate measures the limits of stable stiffness.
     const auto fastest = [](int steps) {
         auto lab = made("sphere");
         choose(lab, "isosurface", 1e3, 127.5);
@@ -464,7 +464,8 @@ TEST(BodyFeel, GoesByThePicturesOpacity) {
     EXPECT_EQ(inside(0), std::pair(0.0, 0.0)) << "what cannot be seen is not felt in this way";
 }
 
-/// In the middle of the new ball the hand feels nothing. The ball gives its energy only as the hand leaves.
+/// In the middle of a ball that appears the hand feels nothing. The ball gives energy only as the hand
+/// leaves.
 TEST(BodyFeel, ABallThatAppearsAroundAHandGivesItLittleAsItLeaves) {
     const field::Tool ball{.name = "ball",
                            .operations = {{.method = field::Method::constant,
@@ -494,13 +495,13 @@ TEST(BodyFeel, ABallThatAppearsAroundAHandGivesItLittleAsItLeaves) {
     }
 }
 
-/// A ball appears around a hand, which first goes in and then out. In the middle of the ball it feels
-/// nothing. Near the edge the way in costs more than the springs hold then, and the way out must not give it
-/// twice.
+/// A ball appears around a hand, which first goes in and then out. The hand feels nothing in the middle of
+/// the ball. Near its edge, the hand does more work on the way in than the springs store, and the way out
+/// must not return that energy twice.
 TEST(BodyFeel, ABallThatAppearsGivesBackNoMoreThanTheWayInCost) {
     struct Case {
         const char* device;
-        double begin, in;  // distances of the hand from the ball's surface, and of its way in (m)
+        double begin, in;  // first distance of the hand from the ball's surface, and way inwards (m)
     };
     for (const Case& hand : {Case{"premium", 0.1, 0}, {"omega3", 0.1, 0}, {"omega3", 0.008, 0.008}}) {
         auto lab = lab_of(*field::make_volume("sphere", 32, 3), hand.device);

@@ -1,4 +1,5 @@
-// Benchmarks how much memory the ticks of a match allocate once everything in it has been used: nothing.
+// Benchmarks memory allocations in the ticks of a match. After a warm-up in which every kind of work has been
+// done once, a tick must allocate nothing.
 #include <algorithm>
 #include <functional>
 
@@ -20,23 +21,23 @@ namespace {
 
 using game::Simulation;
 
-/// Ticks before the count begins. Every kind of work has been done once by then.
+/// Number of ticks before allocations are counted. By then every kind of work has been done once.
 constexpr Tick warm_up = 10'000;
 
-/// Numbers of allocations, by what made them: match, bots, or sound and touch.
+/// Numbers of memory allocations: by the match, by the bots, and by sound and tactile output.
 struct Counted {
     std::uint64_t match{}, bots{}, senses{};
     std::uint64_t all() const { return match + bots + senses; }
 };
 
-/// What both wizards do for a while, in place of what their bots want. With an empty `frame`, they do what
-/// the bots want.
+/// Work that both wizards do for a while. If `frame` is set, it gives their input; otherwise their bots do.
 struct Work {
     std::string_view name;
     std::function<void(Simulation&)> place{};              ///< moves both wizards to the place of their work
                                                            ///< (cauldron, orb or crystal)
     std::function<input::InputFrame(Tick)> frame{};        ///< input of both players
-    std::function<void(Simulation&, Tick)> help{};         ///< brings about what would take long to earn
+    std::function<void(Simulation&, Tick)> help{};         ///< gives directly what players would need long
+                                                           ///< for, such as a carved crystal
     std::function<std::uint64_t(const Simulation&)> done;  ///< count of the work's results; it changes when
                                                            ///< work is done
     std::uint64_t times{};                                 ///< how often `done` has changed during this work
@@ -64,7 +65,7 @@ void give_ingredient(Simulation& match, Tick tick) {
     if (!world.has<game::Pouch>(wizard)) world.add(wizard, game::Pouch{.ingredient = ingredient});
 }
 
-/// Makes both crystals finished keys at one tick, so that new crystals take their places.
+/// Sets both crystals to completely carved at one tick, so that new crystals take their places.
 void finish_key(Simulation& match, Tick tick) {
     if (tick != work_length / 2) return;
     match.world_to_change().view<game::Crystal>().each([](game::Crystal& crystal) { crystal.overlap = 1; });
@@ -144,7 +145,8 @@ Expected<std::unique_ptr<Output>> make_output(const game::MatchData& data) {
     return std::make_unique<Output>(game::Senses::create(*sounds, *data.presentation), std::move(*jacket));
 }
 
-/// A duel of bots who are interrupted by work at the stations, with all that is heard and felt of it.
+/// A duel of bots that is interrupted by work at the stations (cauldron, crystal, orb). Sound and tactile
+/// output of the match are computed, too.
 class BusyMatch {
 public:
     BusyMatch(game::BotDuel duel, std::unique_ptr<Output> output)
@@ -152,7 +154,7 @@ public:
           output_(std::move(output)),
           works_(works_of(duel_.match->data(), duel_.match->world())) {}
 
-    /// Plays `count` ticks: of all kinds of work in turn, or of the duel alone.
+    /// Plays `count` ticks, either with all kinds of work in turn or with the duel alone.
     Counted run(Tick count, bool all_works) {
         Counted counted;
         const Tick works = all_works ? works_.size() : 1;
@@ -188,7 +190,7 @@ private:
         counted.senses += since();
         work.times += work.done(match) != before ? 1 : 0;
     }
-    /// Brings the wizards to the place of their work, unless one is dead, and keeps them fit for it.
+    /// Moves the wizards to the place of their work, unless one is dead, and keeps them able to do it.
     void prepare(const Work& work, Tick tick) {
         auto& match = *duel_.match;
         auto& world = match.world_to_change();

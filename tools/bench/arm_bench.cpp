@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t arm_period_ns = 1'000'000;
 constexpr int exchange_ticks = 4000;
 
-/// Haptic model of a point that attracts the hand.
+/// Haptic model (data from which the servo computes forces) of a point that attracts the hand.
 haptics::HapticModel pulling_model() {
     haptics::HapticModel model;
     model.coupling = {.stiffness = 300, .damping = 1};

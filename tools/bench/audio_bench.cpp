@@ -39,8 +39,8 @@ audio::SoundBank bench_sounds() {
     return bank;
 }
 
-/// Audio frame with `lasts` voices (playing sounds) that last and `begins` voices that begin. All of them
-/// move; of the lasting ones some are behind walls and some are played slower.
+/// Frame of sound with `lasts` voices (playing sounds) that continue and `begins` voices that start. All
+/// voices move. Some of the continuing voices are behind walls, and some are played slower.
 AudioFrame busy_frame(std::uint32_t listeners, std::uint32_t lasts, std::uint32_t begins, int block) {
     AudioFrame frame;
     frame.listener_count = listeners;

@@ -1,4 +1,5 @@
-// Benchmarks what the bots of a duel cost in a tick, by level, beside the match that they play.
+// Benchmarks the time that the bots of a duel take in a tick, for several levels, and for comparison the time
+// of the match itself.
 #include <algorithm>
 
 #include "tools/bench/areas.h"
@@ -8,7 +9,7 @@
 namespace thaum::bench {
 namespace {
 
-/// Bots look and decide once in this many ticks, so their time in a tick is the mean over so many.
+/// Bots decide only once in this many ticks, so the time of a tick is the mean over this number of ticks.
 constexpr Tick together = game::gameplay_period;
 
 void measure_bots(const Options& options, int level, Report& report) {

@@ -57,7 +57,7 @@ field::Operation refilling(double radius) {
     return operation;
 }
 
-/// A ball that fills most of the body.
+/// A body of n voxels along each axis, most of which is filled by a ball.
 Voxels ball(int n) {
     Voxels body = field::make_voxels({n, n, n}, vec3(0.6 / n));
     const double middle = 0.5 * (n - 1), radius = 0.45 * n;
@@ -174,8 +174,8 @@ struct Carver {
 };
 
 struct EditSizes {
-    /// Means over the edits: changed voxels, changed bricks (blocks of voxels), and density removed and added
-    /// (density m^3).
+    /// Means over the edits: number of changed voxels, number of changed bricks (blocks of voxels), and
+    /// density removed and added, each integrated over the volume (density times m^3).
     double voxels{}, bricks{}, removed{}, added{};
     std::uint64_t hash{};
 };

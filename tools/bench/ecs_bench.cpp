@@ -1,9 +1,10 @@
-// tools/bench/ecs_bench.cpp: compares the World with plain arrays, case by case.
+// tools/bench/ecs_bench.cpp: compares the World (the store of entities and components) with plain arrays,
+// case by case.
 //
-// The entities are loose things of the game, with its sizes of components (ecs_things.h). `raw` is a lower
-// limit, not a design: 64-byte aligned arrays, one per component, without handles and checks. If only some
-// entities match, the matching ones lie together. It is never made slower than necessary:
-//
+// The entities are loose objects, and their components are as large as those of the game (ecs_things.h). The
+// plain arrays, `raw`, are a lower limit of the time and no usable design: 64-byte aligned arrays, one per
+// component, without handles and checks. If only some entities match a query, the arrays hold those entities
+// next to each other. In each case `raw` uses the fastest layout:
 //     iterate_3_half   the matching half in arrays of its own
 //     rare_view        a list of indices into the big arrays; arrays of their own for the few would be
 //                      the layout of the World

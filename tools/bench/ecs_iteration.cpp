@@ -14,7 +14,7 @@ using ecs::World;
 
 constexpr double dt = 0.001;
 
-/// a += b * s, the work of all iterations.
+/// Adds b * s to a, which is the work done for each entity in all cases of iteration.
 inline void add_scaled(Triple& a, const Triple& b, double s) {
     a.x += b.x * s;
     a.y += b.y * s;
@@ -103,7 +103,7 @@ Contest iterate_3_half(std::uint32_t n) {
 
 namespace {
 
-/// Large arrays, and a list of those of their rows that have a Body, as few entities do.
+/// Large arrays, and a list of the few rows of these arrays whose entity has a Body.
 struct Rare {
     Arrays all;
     std::vector<std::uint32_t> rows;

@@ -3,7 +3,7 @@
 // The entities are loose objects ("things"), the most numerous entities of an arena. game/match/spawn.cpp
 // creates them from a Motion (120 bytes), a Look (4) and a Prop (16), and then adds a Body (96) to put them
 // into the physics. A wizard's death removes the Body. The benchmark makes the same calls. Other components
-// with which the game's systems are busy have sizes in between: Dead 8, Health and Pad 40, Controls 44,
+// that the game's systems often use have sizes in between: Dead 8 bytes, Health and Pad 40, Controls 44,
 // Stance 72, WandBelt 80.
 #pragma once
 #include <memory>

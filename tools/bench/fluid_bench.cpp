@@ -209,8 +209,8 @@ void turns(const Options& options, Report& report) {
     }
 }
 
-/// LeVeque's flow, which returns everything to its start. With a relative error of 2, nothing is where it
-/// should be.
+/// LeVeque's flow, which deforms a shape and then returns all of it to its start. A relative error of 2 means
+/// that none of the substance is where it should be.
 void add_deformation(const TurnedShape& shape, int n, Report& report) {
     constexpr double cfl = 1;
     auto runs = runs_of([](const Scheme& scheme,

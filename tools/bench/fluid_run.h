@@ -54,7 +54,8 @@ inline std::uint64_t velocity_hash(const fluid::Fluid& fluid) {
     return result;
 }
 
-/// Makes what the rows of all cases share. The caller adds error, metrics and parameters.
+/// Makes a row of the report with the values that the rows of all cases have: name, setting, hash and time.
+/// The caller adds error, metrics and further settings.
 inline Row row_of(const std::string& name, const FluidRun& run) {
     Row row{.area = "fluid",
             .name = name,

@@ -17,7 +17,7 @@ namespace {
 namespace flows = fluid::flows;
 using fluid::Solver;
 
-/// A flow that two threads compute, and one thread for comparison.
+/// The same flow computed twice: by two threads together, and by one thread for comparison.
 struct SharedFlow {
     const char* row;
     flows::Scheme scheme;

@@ -130,7 +130,8 @@ void isolated_gestures(const Options& options, Report& report) {
     for (std::size_t i = 0; i < runs.size(); ++i) report.rows.push_back(row_of(runs[i], samples[i]));
 }
 
-/// Points for each millisecond: the hand draws a gesture, then moves aimlessly to the start of the next one.
+/// Points of a hand's motion, one for each millisecond. The hand draws gestures, and moves aimlessly from the
+/// end of one to the start of the next.
 std::vector<gesture::StrokePoint> gesture_motion(std::span<const gesture::Gesture> gestures,
                                                  std::size_t ticks) {
     constexpr double tick = 1e-3;

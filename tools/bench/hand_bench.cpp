@@ -152,7 +152,8 @@ struct StirLoad {
 constexpr std::array stir_loads{StirLoad{"none", false}, StirLoad{"off", true, {0, 0, 0, 0, 0, 0, 0}},
                                 StirLoad{"flow", true, {1, 1, 1, 0, 0, 0, 0}}, StirLoad{"all", true, {}}};
 
-/// Haptic model of a ladle with mass in a flow, pressed against the surface from below and against the wall.
+/// Haptic model (data from which the servo computes forces) of a ladle with mass in a flow. The ladle is
+/// pressed against the surface from below and against the wall.
 haptics::HapticModel stirring_model(const StirLoad& load) {
     haptics::HapticModel model;
     if (!load.fluid) return model;

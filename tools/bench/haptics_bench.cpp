@@ -107,7 +107,7 @@ void simulated_ticks(const Options& options, Report& report) {
 
 // ---- safety stage and servo -------------------------------------------------------------------------------
 
-/// Values of assets/devices that the safety stage reads.
+/// Values of a device file (assets/devices) that the safety stage reads.
 struct DeviceLimits {
     const char* name;
     double peak, continuous;  // peak force and continuous force (N)

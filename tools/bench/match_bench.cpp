@@ -208,8 +208,8 @@ struct Feature {
     const char* idle_state;  ///< name of the idle state in the report, such as "absent" or "asleep"
     Stir stir;
     std::vector<std::string> overrides{};
-    /// Ticks from half a second in which the feature is busy to the measurement of the idle feature. 0: it
-    /// was never busy.
+    /// Number of ticks between half a second in which the feature is busy and the measurement of the idle
+    /// feature; 0: the feature is never busy.
     Tick rest{};
 };
 

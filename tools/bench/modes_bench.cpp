@@ -48,8 +48,8 @@ constexpr double radius = 40 * spacing;    // radius of the ball (m)
 
 // ---- fields -----------------------------------------------------------------------------------------------
 
-/// Spherical contact: the scan as a small ball feels it. Value and gradient are means over the corners of a
-/// cube that is inscribed in the ball and one voxel wide.
+/// A scan as felt by spherical contact (with a small ball instead of a point). Value and gradient are means
+/// over the corners of a cube that is inscribed in the ball and one voxel wide.
 struct BallMean {
     field::Grid grid{};
 
@@ -325,7 +325,7 @@ std::array<Slide, 3> block_ways(const TurnedBlock& block, bool by_density, int t
     };
     const auto along_edge = [=, turn = block.turn](int t) {
         const double in = half_block - depth_at(t, inside);
-        // The tip lies a little nearer to the face y than to the face x, so that one of them is the nearest.
+        // The tip is a little nearer to the face y than to the face x, so that only one face is nearest.
         return turn * vec3(in - 0.1 * depth, in, to_and_fro(t, 0.1, wide));
     };
     const auto across_edge = [=, turn = block.turn](int t) {

@@ -95,7 +95,7 @@ std::array<double, 2> exact_swing() {
     return {angle, speed};
 }
 
-/// Position at which a step without the rod would end, by the scheme.
+/// Position of the bob at the end of a step if there were no rod, by the scheme of the run (m).
 vec3 free_end(const Run& run, const BodyState& s) {
     const double gravity_path = run.scheme == "exact_flight" ? g * run.dt * run.dt / 2 : g * run.dt * run.dt;
     return s.position + s.velocity * run.dt - vec3(0, gravity_path, 0);
@@ -177,7 +177,7 @@ std::array<vec3, stack_count> add_stacks(Physics& physics) {
     return feet;
 }
 
-/// How far the boxes have moved from where rigid boxes would be.
+/// Distances of the boxes in the stacks from the places where perfectly rigid boxes would be.
 struct StackDrift {
     std::array<double, stack_count> of_top{};  ///< distance of each stack's top box from its place on rigid
                                                ///< boxes (m)

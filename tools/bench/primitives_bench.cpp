@@ -54,8 +54,9 @@ vec3 force_at(const Primitive& p, vec3 x) {
     return distance > 0 ? m * (-p.strength / distance) : vec3(0);
 }
 
-/// Remaining sum of forces plus the largest change of a force that is computed again from the proxy (N). For
-/// every method it is zero if the proxy is in balance, and only then.
+/// Length of the sum of all forces, plus the largest difference between a primitive's force as the method
+/// returns it and the same force computed again from the proxy (N). Both are zero if the proxy is in balance,
+/// and only then.
 double residual(const PrimitiveSet& set, const Spring& spring, const Balance& found) {
     vec3 sum = spring.stiffness * (spring.centre - found.proxy);
     double worst = 0;

@@ -1,9 +1,10 @@
 // Benchmark of the servo's rate: the stiffest coupling that stays stable on a wall, for steps of 0.2 to 1 ms.
 //
-// The step goes from the tip to the haptic modes, the balance of the proxy and the force. It leaves out the
-// safety stage and the passivity controller, whose limits are counted in ticks of 1 ms. The device is the
-// reference device without a hand, pressed on the wall with 1 N. By the passive bound b / (T / 2), with
-// damping b and step T, five times the rate should allow five times the stiffness.
+// A step computes the haptic modes at the tip, the balance of the proxy and the force. The safety stage and
+// the passivity controller are left out, because their limits are counted in ticks of 1 ms. The device is the
+// reference device without a hand, pressed on the wall with 1 N. Theory allows a stiffness of b / (T / 2) for
+// the damping b and the step T (passivity bound), so a rate five times as high should allow a stiffness five
+// times as large.
 #include <array>
 #include <cmath>
 

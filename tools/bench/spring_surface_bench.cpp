@@ -30,8 +30,8 @@ struct Wave {
 constexpr std::array round_waves{Wave{7, 0}, Wave{5, 5}};
 constexpr std::array one_wave{Wave{3, 2}};
 
-/// Height of a standing wave at a node of the grid, at most 1. The numbers of the wave count as in
-/// mode_frequency().
+/// Height of a standing wave at a node of the grid, at most 1. `wave` holds the numbers of half waves along x
+/// and z.
 double wave_shape(const SpringSurfaceSettings& s, Wave wave, std::size_t x, std::size_t z) {
     const auto X = static_cast<double>(x), Z = static_cast<double>(z);
     if (s.rim == fluid::Rim::pinned)

@@ -165,8 +165,8 @@ struct CrowdRun {
     double pressed{};  // mean force (N)
 };
 
-/// Does what a match does for a wizard who turns and whose hand slides on a crate: looks up the near
-/// surfaces, publishes them, and runs the servo step.
+/// Does the work of a match for a wizard who turns while a hand slides on a crate: looks up the surfaces near
+/// the hand, passes them to the servo, and runs the servo step.
 void feel_crowd(CrowdRun& run) {
     const haptics::DeviceSpec spec{
         .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
@@ -181,7 +181,7 @@ void feel_crowd(CrowdRun& run) {
     for (int tick = 0; tick < crowd_ticks; ++tick) {
         game::HandFrame frame = before;
         frame.turn = rotation({0, 1, 0}, 0.2 * det::sin(0.002 * tick));
-        // Comes from above, because a body that contains the hand at the start gives no force.
+        // The tip comes from above, because a body that contains the tip at the start gives no force.
         const double down = std::min(tick / 300.0, 1.0);
         const vec3 tip(0.01 * det::cos(0.005 * tick), 0.003 - 0.006 * down, 0.01 * det::sin(0.005 * tick));
         const auto& surface = run.state.surface;

@@ -50,7 +50,7 @@ EffectBank lasting_effects() {
         effect.length_ms = lasting_ms;
         effect.to = tactile::BodyPoint{tactile::Part::front, {0.1, 1, 0.09}};
         if (pattern == Pattern::heartbeat) effect.envelope.hold = 1e3;
-        // Long enough that the sweep over the body is still moving when the benchmark ends.
+        // The sweep is so long that it still moves over the body when the benchmark ends.
         if (pattern == Pattern::sweep) effect.length_ms = 6e5;
         bank.effects.push_back(std::move(effect));
     }

@@ -69,13 +69,13 @@ Held hold(double dt) {
 
 double spring_force(double t, double place) { return held_stiffness * (hand_at(t) - place); }
 
-/// Largest error of the spring's force in each millisecond (N, world). The haptic model is `age` ticks old;
-/// the object in it continues at its velocity, or stands still.
+/// Largest error of the spring's force over all milliseconds (N, world), if the servo's data about the object
+/// are `age` ticks old. The servo assumes that the object moves on at its velocity, or that it stands still.
 double worst_force(const Held& held, std::int64_t step_ms, int age, bool moves_on, const Held& reference) {
     constexpr std::size_t per_ms = 16;
     double worst = 0;
     for (int ms = 100; ms < static_cast<int>(held_seconds * 1000); ++ms) {
-        // Number of the step from whose start the haptic model was made.
+        // Number of the step at whose start the servo's data about the object were made.
         const auto made = (ms - age) / step_ms;
         const double late = (ms - static_cast<double>(made * step_ms)) * 1e-3;
         const auto at = static_cast<std::size_t>(made);
@@ -118,7 +118,8 @@ void in_bullet(const Options& options, Report& report) {
 
 constexpr double wizard_mass = 75;       // mass of the wizard (kg)
 constexpr double rope_stiffness = 4000;  // stiffness of the rope (N/m)
-constexpr double rope_length = 7;        // length of the rope (m): 0.7 times the 10 m at which it attached
+constexpr double rope_length = 7;        // length of the rope (m): 0.7 times the distance of 10 m at which it
+                                         // was attached
 constexpr double rope_seconds = 60;
 // Position at which the wizard lets go, relative to the point at which the rope is fixed (m).
 const vec3 let_go_at{6, -4.2, 0};

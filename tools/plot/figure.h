@@ -1,4 +1,5 @@
-// tools/plot/figure.h: figures of a report: time against error for cases with errors, else ratios.
+// tools/plot/figure.h: figures of a benchmark report. Cases with errors get figures of run time against
+// error; other cases get bars for their ratios.
 #pragma once
 #include <span>
 #include <string>

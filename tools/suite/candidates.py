@@ -20,7 +20,7 @@ ERROR = 3
 
 BOUNDARY = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 NEGATION = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
-# Calls of these functions are not dropped: that would change how long the program takes, not what it does.
+# Calls of these functions are not mutated: without them only the time that the program takes would change.
 ONLY_SPEED = {"reserve", "shrink_to_fit"}
 
 INTEGER = re.compile(r"(0[xX][0-9a-fA-F']+|0[bB][01']+|[0-9][0-9']*)([uUlLzZ]*)\Z")
@@ -51,8 +51,8 @@ def compiler_arguments(command, source):
             next(words)
         elif word != "-c" and word != source and not word.startswith(("-W", "--param")):
             arguments.append(word)
-    # A mutated array size that is no constant any more is an error; by itself the compiler takes it as an
-    # extension.
+    # The last two options make an error of a mutated array size that is no constant, which the compiler would
+    # accept as an extension.
     return arguments + ["-include", str(SWITCH_HEADER), "-Wno-everything", "-Werror=vla", "-Werror=vla-extension"]
 
 
@@ -160,7 +160,8 @@ class Source:
                   [(begin, end, f"(thaum_mutants::on(@) != ({whole}))")], "negation")
 
     def _call(self, cursor, parents):
-        """A call is dropped if it is a statement of its own. Its braces keep an `else` with its `if`."""
+        """Adds a mutant without the call if the call is a whole statement. The braces keep an `else` at its
+        `if`."""
         name = cursor.spelling
         if (name.startswith("operator") and name != "operator()") or name in ONLY_SPEED or not parents:
             return
@@ -208,7 +209,7 @@ class Source:
             self.found.append(found)
 
     def _free_of_macros(self, candidate):
-        """A macro may be a part of what is mutated, but nothing inside a macro's expansion is mutated."""
+        """Whether a candidate is outside of macros. It may contain a whole macro, but not be in one."""
         begin = candidate["edits"][0][0]
         end = candidate["edits"][-1][1]
         return all(e <= begin or end <= b or (begin <= b and e <= end and (begin, end) != (b, e))
@@ -249,7 +250,7 @@ def _is_body(parent, statement):
 
 
 def _other_value(cursor, before, target):
-    """x + 1, or x - 1 where that is too much for the type; 2 x + 1 for numbers with a point."""
+    """Mutated text of a literal x: x + 1, or x - 1 if x + 1 is too large for the type; 2 x + 1 for floats."""
     if cursor.kind == K.FLOATING_LITERAL:
         return f"{before} * 2 + 1" if FLOATING.match(before) else None
     match = INTEGER.match(before)

@@ -1,4 +1,4 @@
-"""The CTest cases of a build: what they are, how one is run, and how CTest would judge it."""
+"""Reads the CTest cases of a build, runs them, and judges their results as CTest does."""
 import contextlib
 import dataclasses
 import json
@@ -35,8 +35,8 @@ class Case:
         return float(self.properties.get("TIMEOUT", USUAL_LIMIT)) + sum(other.limit for other in self.before)
 
     def locks(self):
-        """No two cases with a common lock run at once. A case also locks itself, since two mutants may both want it and
-        it may write files of a fixed name."""
+        """Names of the case's locks. Two cases with a common lock never run at the same time. A case also has
+        a lock of its own: two runs of it, for two mutants, might write files of the same name."""
         names = {f"case {self.name}", *as_list(self.properties.get("RESOURCE_LOCK"))}
         for other in self.before:
             names |= other.locks()
@@ -91,7 +91,7 @@ class Runner:
     """Runs cases, from several threads."""
 
     def __init__(self, folder, limited=True):
-        """`limited`: bounds what a case may take, since a mutant may want too much."""
+        """`limited`: limits the memory and the size of files of a case, since a mutant may need too much."""
         self.limits = limits() if limited else []
         self.scratch = folder / "tmp"
         shutil.rmtree(self.scratch, ignore_errors=True)
@@ -177,7 +177,7 @@ class Runner:
 
 
 def limits():
-    """A prefix of a command that bounds what the command may take. Only the soft limits change."""
+    """Prefix of a command that limits its memory and the size of its files. Only soft limits are changed."""
     result = ["prlimit", "--core=0:"]
     for name, kind, most in (("as", resource.RLIMIT_AS, MEMORY), ("fsize", resource.RLIMIT_FSIZE, DISK)):
         hard = resource.getrlimit(kind)[1]
@@ -186,7 +186,7 @@ def limits():
 
 
 def end_session(session):
-    """Kills what a case left behind: the processes of its session, those with a process group of their own too."""
+    """Kills all processes of a case's session, including those that have a process group of their own."""
     for _ in range(100):
         members = [pid for pid in map(int, filter(str.isdigit, os.listdir("/proc"))) if session_of(pid) == session]
         if not members:
@@ -206,7 +206,7 @@ def session_of(pid):
 
 
 def judge(case, code, text):
-    """Judges as CTest does."""
+    """Verdict on a case and its reason, by the same rules as CTest."""
     properties = case.properties
     if code is None:
         return FAILED, TIME_LIMIT
@@ -230,8 +230,8 @@ def says_one_of(expressions, text):
 
 
 def reach_each(folder, cases, runner, jobs, reach_one):
-    """Adds to reach.jsonl what `reach_one` returns of each case, as soon as it is known. Cases with the same lock take
-    turns, so that none keeps a place while it waits."""
+    """Calls `reach_one` for each case and appends each result to reach.jsonl at once. Cases with the same
+    lock run one after another in one thread, so that no thread waits for a lock."""
     turns = {}
     for case in cases:
         lock = as_list(case.properties.get("RESOURCE_LOCK")) or [f"case {case.name}"]

@@ -23,7 +23,7 @@ def stop(text):
 
 
 def write_json(path, value):
-    """Writes beside the file and renames, so that an interrupted step leaves no half file."""
+    """Writes a temporary file and renames it, so that an interrupted step leaves no incomplete file."""
     part = path.with_name(path.name + ".part")
     part.write_text(json.dumps(value, indent=1, ensure_ascii=False) + "\n")
     part.rename(path)
@@ -43,7 +43,7 @@ def tracked_files(source):
 
 
 def add_assets(build, tree):
-    """Programs find their data files beside the folder of the build, which here is not in the tree."""
+    """Links the assets into the folder of a build outside of the tree, so that its programs find them."""
     place = build / "assets"
     if not place.is_symlink():
         place.symlink_to(tree / "assets")
@@ -58,7 +58,8 @@ def run_logged(command, log):
 
 
 def with_edits(data, mutants):
-    """The bytes of a source with the edits of mutants, from the back to the front, so that places keep their meaning."""
+    """The bytes of a source with the edits of mutants. The last edit is made first, so that the positions of
+    the others stay valid."""
     edits = [(begin, end, text.replace("on(@)", f"on({m['id']})")) for m in mutants for begin, end, text in m["edits"]]
     for begin, end, text in sorted(edits, reverse=True):
         data = data[:begin] + text.encode() + data[end:]

@@ -80,7 +80,7 @@ def reach_one(runner, folder, case):
     place.mkdir()
     place.chmod(0o777)  # some cases run a program as another user
     times = place / "times"
-    # What the sanitizer says of coverage goes into files, since cases read what programs say.
+    # The sanitizer writes its messages into files, because some cases check the output of programs.
     outcome = runner.run(case, case.limit, {
         "ASAN_OPTIONS": f"intercept_tls_get_addr=0:coverage=1:coverage_dir={place}:log_path={place}/log",
         "UBSAN_OPTIONS": "print_stacktrace=1",
@@ -121,7 +121,7 @@ def read_addresses(path):
 # ---- choose --------------------------------------------------------------------------------------------------
 
 def choose(options):
-    """Writes the list of cases that reach hardly anything which the others do not."""
+    """Writes the list of cases that are left out, because the other cases reach almost all of their code."""
     folder = options.out
     entries = read_reach(folder)
     known = {name: entry for name, entry in entries.items() if entry["verdict"] == PASSED}
@@ -145,7 +145,7 @@ def runs_always(name, cost):
 
 
 def places_reached(folder, known):
-    """For each case the places in our sources that it reaches, as small numbers."""
+    """For each case the places in our sources that it reaches. Places are numbered from 0."""
     addresses = collections.defaultdict(set)
     files = {name: folder / "reached" / f"{file_name_of(name)}.json" for name in known}
     for path in files.values():
@@ -187,8 +187,8 @@ def symbolize(program, addresses):
 
 
 def cover(reached, cost, always):
-    """A cheap set of cases that reaches enough places: greedily the case with the most new places per second, then without
-    those that the rest has made needless, the dearest first."""
+    """A cheap set of cases that reaches enough places. First adds, again and again, the case with the most
+    new places per second. Then removes cases that the others have made unnecessary, the dearest first."""
     every = set().union(*reached.values())
     chosen, lacking = set(always), every - set().union(*(reached[name] for name in always))
     gain = {name: len(places & lacking) for name, places in reached.items()}

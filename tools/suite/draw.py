@@ -9,8 +9,8 @@ import time
 
 from common import KINDS, run_logged, say, stop, tracked_files, write_json
 
-# Sources that run before main or before the processor is known to be good enough, and examples, which are no part of
-# the engine.
+# Sources that are not mutated: code that runs before main or before the check of the processor, and examples,
+# which are no part of the engine.
 LEFT_OUT = ("game/app/start_check.cpp", "engine/core/processor.cpp", "engine/physics/bullet_maths.cpp",
             "engine/examples/")
 
@@ -102,7 +102,7 @@ def draw_in_file(job):
     chance.shuffle(found)
     digest = hashlib.sha256(parsed.bytes).hexdigest()
     chosen = []
-    # Kinds take turns. A kind that has none left gives its turn to the next.
+    # Takes one mutant of each kind in turn. A kind without further candidates is skipped.
     queues = {kind: [c for c in found if c["kind"] == kind] for kind in KINDS}
     turn = chance.randrange(len(KINDS))
     while len(chosen) < count and any(queues.values()):
@@ -120,7 +120,7 @@ def draw_in_file(job):
 
 
 def overlaps(candidate, chosen):
-    """Replaced ranges must not overlap. Two inserted pieces may stand around each other but not at one place."""
+    """Whether the candidate's edits overlap those of a chosen mutant, or begin at the same place."""
     for mutant in chosen:
         for begin, end, _ in mutant["edits"]:
             for b, e, _ in candidate["edits"]:

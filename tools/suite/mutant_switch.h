@@ -1,6 +1,6 @@
 // tools/suite/mutant_switch.h: chooses at run time which mutant of a mutated build is active (mutation
-// testing). Every C++ source of the copied tree includes it first (see tree.py). The original tree does not
-// use it.
+// testing). Mutants are built in a copy of the source tree, in which every C++ source includes this header
+// first (see tree.py). Normal builds do not use it.
 #pragma once
 #include <fcntl.h>
 #include <sys/mman.h>

@@ -38,7 +38,8 @@ def apply(options):
 
 
 def include_everywhere(cmake):
-    """Makes every target include the switch. The line stands in the tree, so copies that tests make have it too."""
+    """Makes every target include the switch. The line is in the tree's own file, so that copies of the tree
+    that tests make have it, too."""
     text, count = re.subn(r"^(project\([^)]*\)[^\n]*\n)", lambda m: m.group(1) + INCLUDE, cmake.read_text(), count=1,
                           flags=re.M)
     if count != 1:

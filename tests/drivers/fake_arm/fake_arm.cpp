@@ -4,16 +4,17 @@
 // $FAKE_ARMS holds a script for each arm, with semicolons between them. A script is a list of words with
 // commas between them:
 //
-//     name=MODEL        model of the arm (Fake);  its serial number is A0, A1, ...
-//     peak=N            peak force of 3.3 N, or that many N
-//     path=FILE         positions of the hand: lines "ms x_mm y_mm z_mm buttons", with straight motion between them
-//     live=FILE         its forces (a FakeHdLive), kept up to date while the program lives
-//     felt              ticks of the following words are counted from the first force on
-//     vanish=N          from tick N on, reading fails: the arm is gone
+//     name=MODEL        model of the arm (default Fake); serial numbers are A0, A1, ...
+//     peak=N            peak force of the arm (N; default 3.3)
+//     path=FILE         positions of the hand: lines "ms x_mm y_mm z_mm buttons", with straight motion
+//                       between them
+//     live=FILE         file with the arm's forces (a FakeHdLive), kept up to date while the program runs
+//     felt              the numbers of ticks below are counted from the first tick with a force
+//     vanish=N          from tick N on, reading fails, as if the arm were unplugged
 //     back=K            after a vanish, opening fails K times and then succeeds
 //     hang=N            from tick N on, reading never returns
 //     absent            opening fails
-//     control           texts of the arm hold control codes of a terminal
+//     control           the arm's name and messages contain control codes of a terminal
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>

@@ -93,8 +93,8 @@ void push(Library& l, unsigned int code);
 /// Counts a violation and adds an error with this code to the error stack.
 void broken(Library& l, FakeHdRule rule, unsigned int code);
 bool on_own_thread(const Library& l);
-/// Whether the caller may read or set the state of the current device now, that is inside a frame and in the
-/// right thread.
+/// Whether the caller may read or set the state of the current device now: whether it is inside a frame and
+/// in the right thread.
 bool may(Library& l);
 
 Device& current(Library& l);
@@ -119,8 +119,8 @@ void start_threads(Library& l);
 void stop_threads(Library& l);
 /// Runs every task once. `synchronous_only` skips tasks of hdScheduleAsynchronous.
 void run_tasks(Library& l, bool synchronous_only);
-/// Calls the task for ticks, which hdScheduleAsynchronous has got last, once more, even if the program has
-/// already ended it.
+/// Calls the newest task of hdScheduleAsynchronous, which computes a tick of the program, once more, even if
+/// the program has already ended that task.
 void call_ticks(Library& l);
 /// Repeats call_ticks in a thread of its own, to simulate a library that calls tasks after their end.
 void call_after_end(Library& l);
