@@ -270,7 +270,7 @@ TEST(BenchPhysics, TheShippedStepIsOnTheFrontOfError) {
     EXPECT_LT(shipped.at("projectile")->error->value, 1e-9);
     for (const auto& row : report.rows) {
         ASSERT_TRUE(std::isfinite(row.error->value)) << row.name;
-        // Measured with the shipped settings only, so there is nothing to compare.
+        // Without a row measured with the shipped settings there is nothing to compare.
         if (!shipped.contains(row.name)) continue;
         const Row& ours = *shipped.at(row.name);
         expect_not_beaten(ours, row,

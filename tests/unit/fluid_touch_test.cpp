@@ -256,8 +256,8 @@ TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
             continue;
         }
         EXPECT_LE(std::abs(outside_by(wall, held)), 1e-12);
-        // In a convex set, the nearest place is where (place - held) . (other - held) <= 0 for every other
-        // place inside.
+        // In a convex set, `held` is the place nearest to `place` if (place - held) . (within - held) <= 0
+        // for every place `within` the set.
         for (int other = 0; other < 30; ++other) {
             const vec3 within = wall.centre + any_vector(random, 1.4);
             if (outside_by(wall, within) > 0) continue;

@@ -342,8 +342,8 @@ TEST(Arm, TheClutchMovesTheArmFreeOfTheHand) {
     m.expect_same_forces();
 }
 
-/// The clutch lets go of the hand while the arm moves back. Repeated strokes with it move the hand no farther
-/// than its reach.
+/// While the clutch (a button) is held, the arm moves without the hand. Many strokes in one direction, with
+/// the clutch held on each way back, must not move the hand beyond its reach.
 TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     ArmMatch m;
     m.run(100);

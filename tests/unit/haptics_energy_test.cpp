@@ -218,8 +218,8 @@ TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
 }
 
 TEST(HapticsEnergy, NoSecondSeesMoreThanTheActiveBudget) {
-    // Kicks of any size, and a force that rotates, on a hand that oscillates: what pushes and what resists
-    // alternate.
+    // Kicks and a steady force of changing direction act on a hand that oscillates, so that each force pushes
+    // the hand at some times and resists it at others.
     for (const double rate : {0.3, 0.9, 2.2, 7.0}) {
         auto spec = reference_device(0);
         spec.workspace = {0.2, 0.2, 0.2};

@@ -428,7 +428,7 @@ TEST_F(SplitPictures, EachViewIsThatViewDrawnAlone) {
             settings.split = split;
             settings.quality = quality;
             expect_views_alone({640, 360});
-            // If the window is higher than this, the views are drawn smaller and enlarged, except at high
+            // In a window higher than 720 px, the views are drawn smaller and enlarged, except at high
             // quality.
             if (quality != Quality::high) expect_views_alone({701, 809});
         }
