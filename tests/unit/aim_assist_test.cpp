@@ -236,7 +236,8 @@ private:
     Tick fire_until_ = 0;
 };
 
-/// Share of this player's bolts that hit a dummy, 12 m away and walking sideways, within two minutes.
+/// Share of the bolts of a player with keys alone that hit a dummy, 12 m away and walking sideways, within two
+/// minutes. `percent` is the strength of the aim assist.
 double share_of_hits(int percent) {
     const auto data =
         load_range(assets(), {.overrides = {"bolt.energy.regain_per_s=1000", "bolt.shot.damage=0.001"}})

@@ -248,7 +248,7 @@ void expect_not_beaten(const Row& ours, const Row& row, const std::string& name)
         return;
     }
     EXPECT_LE(metric(ours, "error_low_m"), metric(row, "error_high_m")) << name;
-    // The confidence intervals must be narrow enough to show that twice the time step is worse.
+    // The confidence intervals must be narrow enough to show that a larger time step is less accurate.
     if (setting<std::int64_t>(row, "dt_ms") > setting<std::int64_t>(ours, "dt_ms")) {
         EXPECT_LT(metric(ours, "error_high_m"), metric(row, "error_low_m")) << name;
     }
