@@ -78,8 +78,8 @@ struct FieldInfo {
 };
 
 namespace detail {
-/// Stands for a visitor, a function called with each field, where the concept `Described` tests whether a
-/// type lists its fields.
+/// A stand-in for a visitor (a function called with each field), with which the concept `Described` tests
+/// whether a type lists its fields.
 struct AnyVisit {};
 }  // namespace detail
 

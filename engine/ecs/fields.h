@@ -5,8 +5,8 @@
 //         THAUM_COMPONENT(Velocity, linear);
 //     };
 //
-// They declare a function template, so a source that includes the struct spends no time on compiling the
-// list. It is instantiated only where a World declares the component (ecs/component.h).
+// The macros declare a function template. A source that includes the struct therefore spends no time on
+// compiling the list: it is instantiated only where a World declares the component (ecs/component.h).
 #pragma once
 #include <string_view>
 

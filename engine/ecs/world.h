@@ -169,10 +169,10 @@ public:
 
     /// Changes requested during iteration. `apply_commands` makes them, in the order of the requests.
     Commands& commands() { return commands_; }
-    /// Makes the requested changes.
+    /// Makes the changes that were requested with commands(), in the order of the requests.
     void apply_commands();
 
-    // Untyped access for the schedule, snapshots and tools.
+    // Access by numbers instead of types, for the schedule, snapshots and tools.
     /// Number of a component, blob or resource in this World.
     template <Accessible A>
     std::uint32_t id() const;
@@ -245,7 +245,7 @@ private:
             fail_locked(component);
         }
     }
-    // The next three assert that the running system may use the component or resource with this number.
+    // The next three functions assert that the running system may use this component or resource.
     void check_read(std::uint32_t number) const { check_access(number, false); }
     void check_write(std::uint32_t number) const { check_access(number, true); }
     void check_access(std::uint32_t number, bool write) const {

@@ -32,8 +32,8 @@ struct WindowSpec {
     std::string title = "Thaum";
     Size size{1280, 720};  ///< size on the desktop, ignored in full screen (px)
     bool fullscreen = false;
-    /// true: ask for vertical synchronisation; under Xvfb present() does not block anyway, so use
-    /// render/pace.h as well.
+    /// true: ask for vertical synchronisation. Under Xvfb, which has no screen, present() does not wait for
+    /// it, so the pictures need render/pace.h as well.
     bool vsync = true;
 };
 
@@ -45,7 +45,7 @@ struct WindowEvents {
     std::function<void(char32_t character)> character;           ///< one character of typed text
     std::function<void(int button, bool pressed)> mouse_button;  ///< button 0 left, 1 right, 2 middle, ...
     std::function<void(double dx, double dy)> mouse_move;  ///< motion while the cursor is captured (counts)
-    /// Position from the top left, while not captured (px).
+    /// Position of the cursor from the window's top left, while the cursor is not captured (px).
     std::function<void(double x, double y)> cursor;
     std::function<void(double steps)> wheel;  ///< motion of the wheel; positive away from the user
     std::function<void(bool focused)> focus;
@@ -84,7 +84,8 @@ public:
 
     // Called on the render thread.
     /// @{
-    /// Makes the window's OpenGL context current in the calling thread; releases it; shows the drawn picture.
+    /// Three functions: make the window's OpenGL context current in the calling thread, release the context,
+    /// and show the drawn picture.
     void make_current();
     void release_current();
     void present();
@@ -108,7 +109,8 @@ public:
 
     Size size() const;
     /// @{
-    /// Makes the context current in the calling thread; releases it; sends all drawing to the driver.
+    /// Three functions: make the context current in the calling thread, release it, and send all drawing to
+    /// the driver.
     void make_current();
     void release_current();
     void present();

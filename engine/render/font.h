@@ -16,7 +16,8 @@ namespace thaum::render {
 /// One character at one size: grey coverage, rows from the top.
 struct Glyph {
     int width{}, height{};  ///< size of the coverage picture (px)
-    /// Offset from the pen on the base line: right to the left edge, up to the top (px).
+    /// Place of the coverage picture's left edge, to the right of the pen, and of its top edge, above the
+    /// base line (px).
     int left{}, top{};
     int advance{};  ///< distance to the next pen position (px)
     std::vector<std::uint8_t> coverage;

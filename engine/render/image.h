@@ -8,7 +8,7 @@
 
 namespace thaum::render {
 
-/// Rows from the top, three bytes per pixel: red, green, blue (sRGB).
+/// A picture: rows from the top, and for each pixel three bytes, red, green and blue (sRGB).
 struct Image {
     int width{}, height{};
     std::vector<std::uint8_t> rgb;

@@ -27,8 +27,8 @@ struct Vertex {
     fvec3 lamps{0};  ///< constant light from lamps, added to the other light
     float open = 1;  ///< share of the ambient light that reaches the vertex, 0 to 1
     float sun = 1;   ///< 1 if sunlight reaches the vertex, else 0; ignored where a shadow map decides
-    /// Factor of the colour at a great distance. By it fine lines take on the colour around them, since they
-    /// would flicker there.
+    /// Factor of the colour at a great distance. It gives fine lines the colour around them, because single
+    /// lines would flicker there.
     float far_away = 1;
 };
 
@@ -47,8 +47,8 @@ struct Patch {
     /// no plain form.
     MeshData plain{};
     float detail{};  ///< size of the detail that `plain` lacks (m)
-    // `full` is empty for a patch behind other patches that have such detail, so only `plain` can be drawn.
-    // It is visible only if one of those others may be drawn in its plain form.
+    // `full` is empty for a patch that lies behind other patches of the mesh. It is drawn, in its plain form,
+    // only if one of those in front may be drawn in its plain form, too.
     bool sunless{};  ///< true: the sun never reaches the patch, so no shadow map look-up is needed
 };
 

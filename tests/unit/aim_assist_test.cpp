@@ -236,7 +236,8 @@ private:
     Tick fire_until_ = 0;
 };
 
-/// Share of this player's bolts that hit a dummy, 12 m away and walking sideways, within two minutes.
+/// A player with keys alone shoots for two minutes at a dummy, 12 m away and walking sideways. Returns the
+/// share of the bolts that hit. `percent` is the strength of the aim assist.
 double share_of_hits(int percent) {
     const auto data =
         load_range(assets(), {.overrides = {"bolt.energy.regain_per_s=1000", "bolt.shot.damage=0.001"}})

@@ -1,5 +1,5 @@
-// Counts every `new` of the test program. It is a separate file because the compiler warns of the `free` if
-// it sees operator new and operator delete together.
+// Counts every `new` of the test program. These operators have a file of their own, because a compiler that
+// compiles them together with code that calls them warns that `free` does not fit `new`.
 #include "unit/allocations.h"
 
 #include <atomic>

@@ -172,7 +172,7 @@ double slope_at(const physics::TriangleMesh& mesh, vec2 at) {
     vec3 half(0), high(0);
     for (const auto& v : mesh.vertices) half = glm::max(half, glm::abs(v));
     for (const auto& v : mesh.vertices) {
-        if (v.y > 0) high += v / 2.0;  // adds up to the middle of the upper edge
+        if (v.y > 0) high += v / 2.0;  // the sum of two halves is the middle of the upper edge
     }
     return half.y * (high.x * at.x / (half.x * half.x) + high.z * at.y / (half.z * half.z));
 }
@@ -186,7 +186,7 @@ double volume_of(const physics::TriangleMesh& mesh) {
 }
 
 TEST(ArenaFile, ARampRisesWhereItsNameSaysAndItsTwinWhereItMust) {
-    // Directions in which a ramp may rise, in the order of rise_names.
+    // Directions (x, z) in which a ramp may rise: east, west, north, south, as in rise_names.
     const std::array<vec2, 4> ways{vec2(1, 0), {-1, 0}, {0, -1}, {0, 1}};
     for (std::size_t rise = 0; rise < rise_names.size(); ++rise) {
         const auto mesh = ramp({2, 3, 4}, static_cast<Rise>(rise));

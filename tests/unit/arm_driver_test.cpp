@@ -135,7 +135,7 @@ std::vector<std::string> find_one() { return {"one"}; }
 std::unique_ptr<ArmDriver> make_fickle(const std::string&) { return std::make_unique<Fickle>(false); }
 std::unique_ptr<ArmDriver> make_hanging(const std::string&) { return std::make_unique<Fickle>(true); }
 
-// Registered out of alphabetical order; the list must be sorted all the same.
+// These drivers are registered out of alphabetical order. The list of drivers must be sorted all the same.
 const ArmDriverRegistration last_driver(
     {.name = "zz", .about = "", .find = find_one, .make = make_hanging, .at_hang = AtHang::write_zero});
 const ArmDriverRegistration first_driver(
@@ -384,7 +384,8 @@ TEST(ArmDrivers, ACallThatHangsLeavesNoForce) {
     }
 }
 
-/// A force that a delayed write sets, after the watchdog has ended the one before, must be ended too.
+/// The watchdog (a thread that ends the force of an arm that hangs) has ended a force. Then a delayed write
+/// sets another force, which the watchdog must end, too.
 TEST(ArmDrivers, AForceThatComesLateIsEndedAgain) {
     const Pushed pushed("aa");
     write_hangs = true;
@@ -405,8 +406,8 @@ TEST(ArmDrivers, AnArmIsGivenUpWhereThatIsAllItsLibraryAllows) {
     read_hangs = false;
 }
 
-/// The driver says that the arm's library allows no calls from a second thread. So the watchdog, which runs
-/// in one, must make no call, and cannot end the force of an arm that hangs.
+/// The driver says that the arm's library allows calls from one thread only. The watchdog runs in another
+/// thread, so it must call nothing, and cannot end the force of an arm that hangs.
 TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
     const Pushed pushed("keeps");
     const int before = given_up;

@@ -96,7 +96,7 @@ void run_all(std::vector<Probe>& probes) {
 
 void expect_no_force(const Probe& p) {
     for (const double newton : p.arm.force) EXPECT_EQ(newton, 0) << "the arm goes on pushing";
-    // The last force is not checked if a call never returns, or fails every time: then no zero can be sent.
+    // The last force is not checked if calls never return or always fail: then no zero force can be sent.
     const auto is_told = [&](const char* word) { return p.words.find(word) != std::string::npos; };
     if (is_told("blocks") || (is_told("from=") && !is_told("until="))) return;
     for (const double newton : p.arm.left) EXPECT_EQ(newton, 0) << "the arm was let go of with a force";

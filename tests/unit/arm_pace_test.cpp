@@ -49,7 +49,7 @@ struct Rig {
     }
 
 private:
-    /// Number of samples of the arm that have arrived by now. Every second one is late.
+    /// Number of samples of the arm that have arrived by now. Every second sample is late.
     std::int64_t arrived(std::int64_t now, double period) const {
         const auto at = static_cast<std::int64_t>(static_cast<double>(now) / period);
         const bool late =

@@ -107,8 +107,8 @@ TEST(ArmPlayback, EnergyGivenToTheHandIsLimited) {
     double work = 0;
     for (int t = 0; t < 3000; ++t) work += hand.play({1, 0, 0}).x * 1e-3;
     EXPECT_LT(work,
-              // Without the limit on energy, 1 N over 3 m would give the hand 3 J. One energy budget per
-              // second is allowed.
+              // The test lasts 3 s, and one energy budget per second is allowed. Without the limit, 1 N
+              // over 3 m would give the hand 3 J.
               3 * haptics::active_budget);
     EXPECT_GT(work, haptics::active_budget);
     hand.step_um = -1000;

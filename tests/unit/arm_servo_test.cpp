@@ -118,7 +118,8 @@ TEST_F(ArmServoTest, InStepTheForcesAgree) {
     EXPECT_EQ(servo.faults().lost, 0U);
 }
 
-/// Uneven timing: either side waits now and then, for up to 30 ticks.
+/// Now and then, the arm or the match falls up to 30 ticks behind the other. Their forces must agree all the
+/// same.
 TEST_F(ArmServoTest, OutOfStepTheForcesAgree) {
     Random random = random_stream(11, 1);
     int ahead = 0;
@@ -208,7 +209,7 @@ struct BadPoses : ArmServoTest {
     BadPoses() {
         for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     }
-    /// Runs 200 ticks of arm and match. f(number of the tick) makes the arm's reading.
+    /// Runs 200 ticks of arm and match. f(tick), for ticks 1 to 200, returns the arm's reading.
     template <class F>
     void feed(F f) {
         for (int i = 1; i <= 200; ++i) {

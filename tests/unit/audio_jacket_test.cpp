@@ -1,6 +1,6 @@
-// Tests of jackets whose motors (shakers) hang on the channels of a sound device: the wave is on the motor's
-// own channel, nothing clicks, and the wave ends after its time to live. One fake device lets OpenAL render
-// into memory, another keeps the blocks themselves.
+// Tests of jackets whose motors (shakers) are connected to the channels of a sound device: the wave is on the
+// motor's own channel, nothing clicks, and the wave ends after its time to live. One fake device lets OpenAL
+// render into memory, another keeps the blocks of samples that it gets.
 #include "game/jackets/makers/audio.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ double peak_of(const std::vector<double>& samples) {
 TEST(ChannelTones, ABlockHoldsTheTonesAlone) {
     audio::ChannelTones tones(2);
     tones.set(1, {.amplitude = 0.5, .hz = 250});
-    tones.set(1, {.amplitude = 0.5, .hz = 0});  // without a frequency the previous one is kept
+    tones.set(1, {.amplitude = 0.5, .hz = 0});  // 0 Hz: the tone keeps its frequency of 250 Hz
     std::vector<float> block(2 * frame_samples), heard;
     for (int i = 0; i < 20; ++i) {
         std::fill(block.begin(), block.end(), 9.0F);

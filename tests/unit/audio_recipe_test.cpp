@@ -134,7 +134,7 @@ TEST(AudioRecipe, LoopsOfEveryPartHaveNoSeam) {
             EXPECT_LE(std::max(kink(0), kink(samples.size() - 1)), 1.05 * inside) << keys << seconds;
         }
     }
-    // The measure detects a seam: a tone of 333.3 Hz that is cut in the middle of a period.
+    // A tone of 333.3 Hz, cut in the middle of a period, has a seam that steps_of must detect.
     auto cut = made(head(0.5, true) + lasting[0]).samples;
     cut.resize(cut.size() - 61);
     EXPECT_GT(steps_of(cut).seam, 2 * steps_of(cut).inside);

@@ -105,7 +105,8 @@ TEST(GameSounds, AreHeardAtOnce) {
 }
 
 TEST(GameSounds, LoudnessIsInTheRangeOfItsGroup) {
-    // Level of the loudest 50 ms (dB). Steps are the quietest effects, explosions the loudest.
+    // Range of each group for the level of a sound's loudest 50 ms (dB). Footsteps are the quietest
+    // effects, explosions the loudest.
     const std::map<SoundGroup, std::pair<double, double>> ranges{{SoundGroup::effects, {-25, -6}},
                                                                  {SoundGroup::music, {-23, -18}},
                                                                  {SoundGroup::interface, {-23, -13}}};

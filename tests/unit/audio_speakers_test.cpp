@@ -123,7 +123,7 @@ TEST(Speakers, ADeviceThatBlocksInItsOpeningHoldsNobodyUp) {
         EXPECT_EQ(taken, 64) << "a full queue drops frames";
         EXPECT_EQ(speakers.status(), "");
         EXPECT_EQ(speakers.report().blocks_written, 0U);
-    }  // the opening still blocks, so the thread is left behind
+    }  // the call that opens the device still blocks, so its thread is abandoned
     watched->change([&] { watched->blocks_open = false; });
     watched->wait([&] { return watched->opened == 1; });
     EXPECT_EQ(watched->get(&Watched::written), 0U) << "the device is not used any more";

@@ -248,7 +248,7 @@ void expect_not_beaten(const Row& ours, const Row& row, const std::string& name)
         return;
     }
     EXPECT_LE(metric(ours, "error_low_m"), metric(row, "error_high_m")) << name;
-    // The confidence intervals must be narrow enough to show that twice the time step is worse.
+    // The confidence intervals must be narrow enough to show that a larger time step is less accurate.
     if (setting<std::int64_t>(row, "dt_ms") > setting<std::int64_t>(ours, "dt_ms")) {
         EXPECT_LT(metric(ours, "error_high_m"), metric(row, "error_low_m")) << name;
     }
@@ -270,7 +270,7 @@ TEST(BenchPhysics, TheShippedStepIsOnTheFrontOfError) {
     EXPECT_LT(shipped.at("projectile")->error->value, 1e-9);
     for (const auto& row : report.rows) {
         ASSERT_TRUE(std::isfinite(row.error->value)) << row.name;
-        // Measured with the shipped settings only, so there is nothing to compare.
+        // Without a row measured with the shipped settings there is nothing to compare.
         if (!shipped.contains(row.name)) continue;
         const Row& ours = *shipped.at(row.name);
         expect_not_beaten(ours, row,

@@ -228,7 +228,7 @@ TEST(BhapticsJacketThreads, APlayerThatTakesNothingIsDisconnected) {
     FakeBhaptics player(Manner::never_reads);
     const auto jacket = jacket_for(player);
     ASSERT_TRUE(jacket->open());
-    // Sends frames that always differ, until the system's queues are full and the wait is too long.
+    // Sends frames, each unlike the last, until the system's queues are full and a request waits too long.
     for (std::size_t i = 0; jacket->is_connected(); ++i)
         jacket->write(jacket_frame(40, {{i % 40, 1.0F}, {(i / 40) % 40, 0.5F}}), 1);
     jacket->close();

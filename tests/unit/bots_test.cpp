@@ -214,7 +214,7 @@ TEST(Bot, EveryWayLeadsOn) {
 }
 
 TEST(Bot, WaitsNowhereWhileItsFoeStandsInACorner) {
-    // A bot with nothing else to do starts at every place where the path along the edge of the pit is narrow.
+    // The bot neither lifts, stirs nor strafes. It starts at 12 places of the narrow path along the pit.
     auto skill = skill_of(3);
     skill.lift = {};
     skill.stir = {};

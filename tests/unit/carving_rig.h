@@ -64,7 +64,7 @@ inline bool differs(const Voxels& a, const Voxels& b, std::size_t voxel) {
     return bits(a) != bits(b) || a.colour[voxel] != b.colour[voxel] || a.material[voxel] != b.material[voxel];
 }
 
-/// Sum of the densities times the volume of a voxel (density m^3).
+/// Sum of the densities, which have no unit, times the volume of a voxel (m^3).
 inline double mass_of(Voxels& body) {
     double sum = 0;
     for (const float density : body.density) sum += static_cast<double>(density);

@@ -1,6 +1,7 @@
 // Tests with common mistakes in data files. The message about each mistake must name the file, the line, what
-// is allowed, and the similar word. For 117 mistakes, the program before `thaum check` named the file of 83,
-// the line of 78, and what to do for 26. Takes 4 s.
+// is allowed, and, for a misspelt word, the similar word that is known. Before the command `thaum check`
+// existed, the program was tried with 117 mistakes: its messages named the file of 83 mistakes, the line of
+// 78, and what to do for 26. The tests take 4 s.
 #include "game/app/content.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ struct Mistake {
 
 class Content : public testing::Test {
 protected:
-    /// Writes a file that this program has read, which its own writers never replace.
+    /// Writes a data file, even one that exists. The program's own writers refuse to replace such a file.
     static void put(const fs::path& path, const std::string& words) {
         std::ofstream(path, std::ios::binary) << words;
     }
@@ -380,7 +381,8 @@ TEST_F(Content, WhatIsProbablyNotMeantIsNoted) {
               "potions use 'v'");
 }
 
-/// One report names the mistakes in several files.
+/// Mistakes that show within one file. Those of different files are made together, and one report must name
+/// them all.
 TEST_F(Content, MistakesWithinAFileAreAnswered) {
     std::vector<Mistake> mistakes;
     for (const auto& some : {slips_of_numbers(), slips_of_texts_and_tables(), wrong_names(), wrong_values()})

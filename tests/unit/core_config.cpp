@@ -568,7 +568,7 @@ TEST(CoreConfigFuzz, AMegabyteOfGarbage) {
     for (const char c : fuzz_bits) survive(std::string(1 << 20, c));
 }
 
-/// A terminal would act on control characters.
+/// A terminal would obey control characters, so messages show them as codes such as \x1b.
 TEST(CoreConfig, ControlCharactersOfAFileDoNotReachAMessage) {
     const auto file = Config::parse("version = 1\nkind = \"a\\tb\\u001B[2J\\u007F\"\n", "f.toml", 1).value();
     const auto kind = file.root().string("kind");

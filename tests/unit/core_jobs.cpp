@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A handler of a stack overflow must run on another stack.
+/// When a thread's stack is full, the signal handler needs another stack to run on.
 TEST(Threads, HaveAStackOnWhichAFullOneIsHandled) {
     stack_t stack{};
     auto thread = start_thread([&] { ::sigaltstack(nullptr, &stack); });

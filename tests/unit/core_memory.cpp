@@ -31,7 +31,7 @@ long page_faults_of(void (*work)()) {
 // Runs in a process of its own, because freed memory stays with the process that asked for it.
 TEST(CoreMemoryDeathTest, FreedMemoryIsUsedAgain) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    // The launcher asks for large pages; with them there would be fewer faults to count.
+    // The script `thaum` asks for large pages, with which there would be fewer page faults to count.
     ASSERT_EQ(::setenv("GLIBC_TUNABLES", "", 1), 0);
     EXPECT_EXIT(
         {

@@ -70,7 +70,8 @@ TEST(RegistryDeathTest, ANameTwiceStopsTheProgramAndIsTold) {
     EXPECT_DEATH(registry.add({"soup", 2}), "two parts of the program have the name soup");
 }
 
-/// Number of spices (kinds that this test registers) that a constructor finds before the registrations below.
+/// Number of spices (values that this test registers) found by an initialiser that runs before the
+/// registrations below.
 const std::size_t found_first = registry_of<Spice>().all().size();
 const Registration<Spice> second({"thyme", 2});
 const Registration<Spice> first({"basil", 1});

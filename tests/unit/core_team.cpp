@@ -1,4 +1,5 @@
-// A team of threads: every slice of every loop is done once, whoever comes and goes.
+// Tests of a team of threads that share loops: every slice of every loop is done once, whichever threads join
+// and leave.
 #include "core/team.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,8 @@
 namespace thaum {
 namespace {
 
-/// Runs `loops` loops in which each slice adds to its own number, while `helpers` threads come and go. The
-/// sum of slices that ran at the same seat at the same time would show as a wrong number.
+/// Runs `loops` loops in which each slice counts for itself and for its seat (number of the thread in the
+/// team), while `helpers` threads join and leave. Slices that used one seat at once would make a sum wrong.
 void expect_all_slices(unsigned helpers, int loops) {
     constexpr int slices = 37;
     Team team;
@@ -43,7 +44,7 @@ void expect_all_slices(unsigned helpers, int loops) {
 }
 
 TEST(CoreTeam, DoesEachSliceOnceWithAnyNumberOfHelpers) {
-    // With 5, some find no seat.
+    // The team takes at most four threads, so some of five helpers find no place.
     for (const unsigned helpers : {0U, 1U, 2U, 5U}) expect_all_slices(helpers, 500);
 }
 

@@ -11,7 +11,8 @@
 namespace thaum::ecs::test {
 namespace {
 
-/// Gives the World a history with destroyed entities, moves between tables, tags and free numbers.
+/// Gives the World a history: entities that were destroyed, whose numbers are free again, entities that moved
+/// between tables, and tags (components without data).
 void fill(World& world, std::size_t n) {
     std::vector<Entity> all;
     for (std::size_t i = 0; i < n; ++i) all.push_back(world.create(Position{{static_cast<double>(i), 0, 0}}));

@@ -161,7 +161,7 @@ bool FakeBhaptics::answer(int peer) {
                      accept_key(request) + "\r\n\r\n");
 }
 
-/// Sends what the fake's manner prescribes before any request.
+/// Sends what a fake with this behaviour (Manner) sends before any request.
 void FakeBhaptics::speak(int peer) {
     switch (manner_) {
         case Manner::sends_noise: write(peer, noise(100'000)); break;

@@ -1,4 +1,4 @@
-// The recorder of what a player feels: its rows, the names of its files, and a full disk.
+// Tests of the recorder of what a player feels: its rows, the names of its files, and a full disk.
 #include "game/jackets/makers/recorder.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ TEST(FeltRecorder, EveryFrameIsWrittenInASession) {
         tactile.apply(settings);
         while (tactile.jacket_layout(1) != "abstract_4x5") std::this_thread::yield();
         for (Tick i = 0; i < frames; ++i) {
-            // Up to 32 frames wait in a queue while the recorder's thread sleeps.
+            // The recorder's queue holds 32 frames, so at most 16 may wait before the next one is sent.
             while (tactile.jacket_report(1).frames_sent + 16 < i) std::this_thread::yield();
             auto frame = frame_at(8 * i);
             if (i % 5 == 0) frame.amplitude.fill(0);

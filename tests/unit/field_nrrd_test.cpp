@@ -152,7 +152,7 @@ TEST_F(VolumeFiles, VectorsTurnWithTheirFrame) {
     const char* start =
         "type: short\ndimension: 4\nendian: little\nencoding: raw\nsizes: 3 1 1 1\n"
         "space directions: none (0,1,0) (-1,0,0) (0,0,1)\n";
-    // Values (0, 1, 2) in the frame of space. The axes are along space, so the volume's frame is the same.
+    // The vector (0, 1, 2) in the frame of space, which here is also the frame of the volume.
     const auto plain = read(text(start, "space dimension: 3"), shorts(3)).value();
     EXPECT_EQ(plain.samples, (std::vector<float>{0, 1, 2}));
     const auto patient = read(text(start, "space: RAS"), shorts(3)).value();

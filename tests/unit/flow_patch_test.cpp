@@ -67,7 +67,7 @@ TEST(FlowPatch, NodesEqualTheFieldsOfTheFluid) {
 }
 
 TEST(FlowPatch, ALinearFlowIsExactAndAFlowAtRestIsTheSameFromEachPatch) {
-    // A linear field stays linear through the fluid's samples and the patch's samples.
+    // Sampled by the fluid and again by the patch, a linear field is still the same linear field.
     auto fluid = wild_fluid();
     const auto flow = [](vec3 p) { return vec3(1 + p.y, 2 * p.x - p.z, 0.5 - 3 * p.y); };
     fluid::set_velocity(fluid, flow);
@@ -107,8 +107,8 @@ TEST(FlowPatch, ContinuesBeyondItsNodesAndIsEmptyWithoutAFluid) {
     EXPECT_EQ(flow_at({}, {}).density, 0);
     EXPECT_EQ(patch_of({}, {}).spacing, 0);
     EXPECT_EQ(patch_of(source_of(fluid), vec3(1e300)).spacing, 0.125);
-    // A substance that takes away more than the whole density of the fluid. The density must not become
-    // negative.
+    // The substance's density is so far below zero that the mixture's would be negative, too. The patch must
+    // not contain a negative density.
     auto source = source_of(fluid);
     source.substances[2].density = -1e9;
     for (const FlowNode& node : patch_of(source, vec3(0.6)).nodes) EXPECT_GE(node.density, 0);

@@ -66,7 +66,7 @@ Brew brew_of(const Case& c) {
     return {std::move(fluid), make_spring_surface(*surface)};
 }
 
-/// Moves a ladle in circles, pours a substance at intervals, and lets a probe break through.
+/// Moves a ladle in circles, pours in a substance at intervals, and lets a probe break through the surface.
 void stir(Brew& brew, int from, int to) {
     for (int i = from; i < to; ++i) {
         const double turn = 0.3 * i;

@@ -1,4 +1,4 @@
-// A step of the fluid gives the same bits whoever shares its loops.
+// Tests that a step of the fluid gives the same bits with any number of threads that share its loops.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -18,8 +18,8 @@ std::vector<Samples> samples_of(const State& state) {
     return all;
 }
 
-/// Takes some stirred steps with `helpers` threads that share each. Not all loops find a helper there: those
-/// who come late, or go and come back, change nothing either.
+/// Stirs and takes `steps` steps, each shared by `helpers` threads. The threads may come after the first
+/// loops of a step, or leave and come back: that must not change the result either.
 std::vector<Samples> after_steps(Fluid fluid, int steps, int helpers) {
     Team team;
     std::vector<Samples> result;
@@ -48,8 +48,8 @@ void expect_same_bits(const char* what, int steps, const std::function<Expected<
     }
 }
 
-/// A substance that spreads, and gravity that is not along an axis. Substances with a weight along x are not
-/// carried in slices.
+/// A fluid with a substance that spreads, and gravity that is not along an axis. If gravity has a component
+/// along x, threads do not share the transport of substances that have weight.
 Expected<Fluid> tilted(Settings settings, vec3 gravity) {
     settings.gravity = gravity;
     settings.substances = {Substance{.viscosity = 0.01, .weight = 0.1, .diffusion = 1e-4},
@@ -61,8 +61,8 @@ Expected<Fluid> tilted(Settings settings, vec3 gravity) {
     return fluid;
 }
 
-// It finds slices that read what another one writes, and sums in an order that threads choose. It takes 0.3
-// s.
+// This test fails if a slice of a loop reads what another slice writes, or if a sum depends on the order in
+// which threads finish. It takes 0.3 s.
 TEST(FluidTeam, AnyNumberOfThreadsGivesTheSameBits) {
     const Cells cells{13, 11, 17};
     expect_same_bits("cauldron", 4, [] { return flows::brew(16); });

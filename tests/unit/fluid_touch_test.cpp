@@ -72,7 +72,8 @@ TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
     };
     const vec3 sum = force_of(1, 0) + force_of(0, 1);
     EXPECT_LE(glm::length(force_of(1, 1) - sum), 1e-12);
-    // Expected damping: 2 times the viscosity 1/4 2 + 1/2 3, plus 1/2 times the density 1/4 4 + 1/2 1.
+    // With the amounts 1/4 and 1/2, the viscosity is 1/4 * 2 + 1/2 * 3 and the density 1/4 * 4 + 1/2 * 1. The
+    // expected damping is 2 times the viscosity plus 1/2 times the density.
     EXPECT_NEAR(force_of(1, 1).x, -0.1 * felt_share * (2 * 2.0 + 0.5 * 1.5), 1e-12);
 }
 
@@ -94,8 +95,8 @@ TEST(FluidTouch, AFreeHandReachesTheVelocityOfTheFlow) {
 }
 
 /// Share z of its velocity that a mass keeps in a tick. The mass is braked in proportion to its mean velocity
-/// over the last 8 ticks, with a force that is constant within each tick. So z solves 1 - z = gain (1 + z) /
-/// 2 (1/8) sum of z^-j over j = 1 to 8.
+/// over the last 8 ticks, with a force that is constant within each tick. `gain` is the share that a steady
+/// velocity would lose in a tick. So z solves 1 - z = gain * (1 + z) / 2 * (sum of z^-j over j = 1 to 8) / 8.
 double decay_per_tick(double gain) {
     double low = 0.9, high = 1;
     for (int i = 0; i < 200; ++i) {
@@ -256,8 +257,8 @@ TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
             continue;
         }
         EXPECT_LE(std::abs(outside_by(wall, held)), 1e-12);
-        // In a convex set, the nearest place is where (place - held) . (other - held) <= 0 for every other
-        // place inside.
+        // In a convex set, `held` is the place nearest to `place` if (place - held) . (within - held) <= 0
+        // for every place `within` the set.
         for (int other = 0; other < 30; ++other) {
             const vec3 within = wall.centre + any_vector(random, 1.4);
             if (outside_by(wall, within) > 0) continue;

@@ -55,7 +55,7 @@ struct ArmMatch {
     void move_arm() {
         now_ns += 1'000'000;
         input::ArmReading reading{.time_ns = now_ns, .buttons = arm_buttons};
-        // The arm moves to and fro by 2 cm at 0.5 m/s. Its height numbers the sample.
+        // The arm moves to and fro by 2 cm at 0.5 m/s. Its height (um) is the number of the sample.
         const auto phase = resting ? 0 : (arm_ticks + 1) % 80;
         ++arm_ticks;
         reading.position_um = {500 * (phase < 40 ? phase : 80 - phase), arm_ticks, back_um};
@@ -342,8 +342,8 @@ TEST(Arm, TheClutchMovesTheArmFreeOfTheHand) {
     m.expect_same_forces();
 }
 
-/// The clutch lets go of the hand while the arm moves back. Repeated strokes with it move the hand no farther
-/// than its reach.
+/// While the clutch (a button) is held, the arm moves without the hand. Many strokes in one direction, with
+/// the clutch held on each way back, must not move the hand beyond its reach.
 TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     ArmMatch m;
     m.run(100);

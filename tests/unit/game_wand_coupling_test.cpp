@@ -69,7 +69,7 @@ TEST(WandCoupling, AWallHoldsAThingThatIsPulledThroughIt) {
     for (int i = 0; i < 3000; ++i) {
         step_spring(physics, step, {2, 0, 0}, coupling);
         ASSERT_LT(physics.state(body).position.x, 0.26)
-            // expected: 0.45 m minus the radius, and a little by which Bullet yields
+            // surface of the wall (0.45 m) minus the body's radius, plus what Bullet lets it sink in
             << i;
     }
     EXPECT_LT(glm::length(physics.velocity(body)), 0.05);

@@ -185,7 +185,7 @@ TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheArena) {
         for (const auto& m : w.missiles()) {
             const double energy = glm::dot(m.velocity, m.velocity) / 2 + 9.81 * m.position.y;
             const auto [known, fresh] = energies.try_emplace(m.entity.index, energy);
-            // A straight step lies at most g dt^2 / 8 from the parabola, hence the tolerance.
+            // A straight step of time dt is up to g dt^2 / 8 (gravity g) off the parabola, less than 1e-3.
             if (!fresh) {
                 EXPECT_LE(energy, known->second + 1e-3);
                 bounces += energy < known->second - 0.1 ? 1 : 0;

@@ -143,8 +143,8 @@ TEST(GesturePrefix, ForceTellsTwinsApartOrNothingDoes) {
     }
 }
 
-/// Twins here are an S drawn softly and an S that bows to one side, drawn hard. Since any third gesture is
-/// far from both, they count as one shape, drawn carelessly, and only their force tells them apart.
+/// Twins are two gestures that only their force tells apart. Here they are an S drawn softly and a bowed S
+/// drawn hard. Their shapes count as equal, because the circle, the only other gesture, is far from both.
 TEST(GesturePrefix, TwinsAreThoseOfTheRecogniserOfWholeStrokes) {
     auto bowed = ess();
     for (auto& p : bowed) p.at.x += 1.4 * std::sin(pi * p.t);

@@ -105,7 +105,7 @@ TEST(Spotter, StartAndEndAreFoundWithinAFewHundredthsOfTheStroke) {
 }
 
 TEST(Spotter, AFlatGestureIsFoundBesideOneWithDepth) {
-    // A stroke with depth, and a flat stroke during which the depth changes aimlessly.
+    // One gesture is a helix, which has depth. The other one is flat: its depth does not count.
     const auto helix = drawn([](double u) { return vec3(det::cos(6 * u), 2 * u, det::sin(6 * u)); });
     const auto gestures = {gesture_of("helix", {helix}), gesture_of("ess", {ess()}, {.planar = true})};
     const auto recogniser =

@@ -26,7 +26,7 @@ TEST(GestureWallOfTheRange, ARefusedGestureIsDrawnAgainAtOnce) {
     practice.wall().record("circle");
     for (int stroke = 0; stroke < 3; ++stroke) player.draw(800, triangle_on_wall);
     ASSERT_TRUE(practice.wall().take_recorded());
-    // One stroke more, before the three recorded strokes are judged; it must not count as one of them.
+    // A fourth stroke, drawn before the three recorded ones are judged, must not count as one of them.
     player.draw(800, triangle_on_wall);
     EXPECT_EQ(wall_of(practice).lines[0].find("three strokes"), 0U);
     const auto before = &practice.match();

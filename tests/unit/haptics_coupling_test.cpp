@@ -64,7 +64,7 @@ TEST(HapticsCoupling, AnyMoveIsResistedWithTheFeltStiffness) {
         EXPECT_LE(glm::length(felt + felt_stiffness(f, lift.stiffness) * moved), 1e-6 * glm::length(felt));
     }
     EXPECT_NEAR(felt_stiffness(f, lift.stiffness), 300,
-                1e-9);  // 4,000 N/m in the world correspond to 300 N/m at a Touch
+                1e-9);  // 4,000 N/m in the world are felt as 300 N/m
 }
 
 TEST(HapticsCoupling, PowerScalesByTheTwoScales) {

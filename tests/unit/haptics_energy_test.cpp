@@ -163,7 +163,7 @@ TEST(HapticsEnergy, PendingWorkIsThatOfForcesNotYetFelt) {
 
 TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
     const double quantum = 5.5e-5, radius = 0.01,
-                 rate = 150;  // the tip moves at 1.5 m/s along a circle, with the encoders of an Omni
+                 rate = 150;  // step of the Omni arm's encoders (m), radius (m) and rate (rad/s) of a circle
     const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
     const Servo servo = servo_of(reference_device(0), 1);
     ServoState state;
@@ -218,8 +218,8 @@ TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
 }
 
 TEST(HapticsEnergy, NoSecondSeesMoreThanTheActiveBudget) {
-    // Kicks of any size, and a force that rotates, on a hand that oscillates: what pushes and what resists
-    // alternate.
+    // Kicks and a steady force of changing direction act on a hand that oscillates, so that each force pushes
+    // the hand at some times and resists it at others.
     for (const double rate : {0.3, 0.9, 2.2, 7.0}) {
         auto spec = reference_device(0);
         spec.workspace = {0.2, 0.2, 0.2};

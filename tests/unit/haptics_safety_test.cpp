@@ -68,13 +68,13 @@ TEST(HapticsSafety, AnUnknownContinuousForceIsASmallOne) {
 
 TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     Stage at_once;
-    // The first force grows slowly, as after a switch of its source
+    // The first force grows slowly, as after a switch of its source.
     EXPECT_NEAR(at_once.feel({2, 0, 0}).x, 0.04, 1e-12);
     Stage stage;
     EXPECT_EQ(stage.feel({3.31, 0, 0}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({not_a_number, 0, 0}), vec3(0));
-    // The start gate, which waits for a force in range, opens; the force grows slowly, as after a switch
+    // The start gate, which waits for a force in range, opens. The force grows slowly.
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
@@ -353,9 +353,9 @@ TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
 }
 
 TEST(HapticsSafety, AHandThatPressesOnIsLedToTheContinuousForceAndKeptThere) {
-    // A burst takes nine tenths of the budget B. The remaining tenth is spread evenly until the burst leaves
-    // the window; no control law can avoid that. Then the force approaches the continuous one, and no second
-    // burst follows.
+    // A burst takes nine tenths of the heat budget of 10 s. The remaining tenth is spread evenly until the
+    // burst is 10 s old, which no control law can avoid. Then the force approaches the force that the motors
+    // can hold continuously, and no second burst follows.
     const double budget = 0.88 * 0.88 * 10,
                  last = 0.88 * std::sqrt(10 / 10.5);  // final force (N): 0.88 N for 10 s, spread over 10.5 s
     for (const double wanted : {3.3, 2.0, 1.2}) {

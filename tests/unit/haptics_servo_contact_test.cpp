@@ -234,12 +234,12 @@ TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
 
     rig = rig_at({0, -0.001, 0}, primitives_of({floor_plane(100)}));
     rig.model.primitives = primitives_of({{PrimitiveKind::plane, {0, 0.001, 0}, {0, 1, 0}, 100}});
-    expect_force(rig, {0, 0.6, 0});  // the force has followed without delay, by 300 N/s
+    expect_force(rig, {0, 0.6, 0});  // the force changed by 0.3 N in 1 ms, without delay
 }
 
 TEST(HapticsServo, APlaneCreatesNoMoreThanTheDelayOfATickDoes) {
-    // For a spring whose force is a tick late, convexity gives 0 <= work on the hand <= stiffness / 2 * sum
-    // |dx|^2.
+    // If a spring's force is one tick late, its work on the hand is from 0 to stiffness / 2 times the sum of
+    // |dx|^2, dx being the tip's motion in a tick. This follows from the convexity of the spring's energy.
     for (const double speed : {0.01, 0.05, 0.2}) {  // speed of the tip (m/s)
         for (const double strength : {100.0, 0.5}) {
             Rig rig = rig_at({0, 0.003, 0}, primitives_of({floor_plane(strength)}));

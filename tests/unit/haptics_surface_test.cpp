@@ -133,7 +133,7 @@ TEST(Surface, ItSlidesRoundAConvexEdge) {
         for (int step = 0; step <= 40; ++step) {
             const double x = 0.03 + 0.0005 * step;  // the tip moves, at 5 mm below the top, towards the side
             const vec3 force = probe.at({x, 0.015, 0.001}).force;
-            // The proxy stays on top while the side is farther away, and the edge of the top holds it there.
+            // The proxy stays on the top face until the tip is nearer to the side face.
             if (step < 40)
                 expect_near(force, {0, stiffness * 0.005, 0}, gap_force + rounding, std::to_string(step));
         }
@@ -222,8 +222,8 @@ TEST(Surface, ACreaseRubsOnBothSides) {
     const double depth = 0.005;
     ContactResult last;
     for (int i = 0; i <= 100; ++i) last = probe.at({0, -depth, 0.0005 * i});
-    // The tip is at the depth s * depth in each of the two walls, and both walls exert friction, 2 mu s *
-    // depth * stiffness in total.
+    // The tip is s * depth deep in each of the two walls. Both exert friction with the coefficient 0.4, which
+    // is 2 * 0.4 * s * depth * stiffness in total.
     expect_near(last.force, stiffness * depth * vec3(0, 1, -2 * s * 0.4), 4 * gap_force + rounding);
     EXPECT_EQ(last.contacts, 2U);
 }

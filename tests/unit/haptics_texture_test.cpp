@@ -13,7 +13,7 @@ namespace {
 
 // Stiffness of the wall (N/m), amplitude and period of its texture (m).
 constexpr double wall_stiffness = 500, crest = 2e-4, period = 0.004;
-// Tolerance (N), of which 1e-7 N is the gap between proxy and surface.
+// Tolerance (N), of which the gap between proxy and surface causes 1e-7 N.
 constexpr double force_rounding = 1e-6;
 
 SurfacePatch textured(TextureKind kind, double friction = 0) {
@@ -33,7 +33,7 @@ SurfacePatch textured(TextureKind kind, double friction = 0) {
 double grating(double x) { return crest * (std::sin(2 * pi * x / period) + 1); }
 double grating_slope(double x) { return crest * 2 * pi / period * std::cos(2 * pi * x / period); }
 
-/// Moves the tip in from a place above, so that the proxy is above the tip.
+/// Force on a tip that came from straight above, so that the proxy is above the tip (N).
 vec3 feel(const SurfacePatch& patch, vec3 tip) {
     SurfaceState state{.proxy = {tip.x, 0.01, tip.z}, .begun = 1};
     return touch(patch, state, {tip, {}}, tick_seconds).force;

@@ -32,8 +32,8 @@ TEST(Viscosity, AnEvenMotionIsResistedInProportionToItsSpeed) {
 }
 
 TEST(Viscosity, AThrownDeviceSlowsDownExponentially) {
-    // m v' = -b v. The velocity that the servo knows is the mean over up to eight ticks. It is up to 4.5
-    // ticks old, which makes the decay faster by the factor 1 + 4.5 b dt / m, here 2.6 %.
+    // A mass m with the velocity v in the viscosity b obeys m v' = -b v. The servo knows v as a mean over up
+    // to eight ticks (dt), up to 4.5 ticks old: the decay is faster by the factor 1 + 4.5 b dt / m, or 2.6 %.
     DeviceSpec spec = shipped_devices().front();
     spec.mass = 0.6;
     spec.damping = spec.coulomb_friction = 0;

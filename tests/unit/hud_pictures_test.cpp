@@ -28,8 +28,9 @@ using render::Quality;
 const std::filesystem::path source = THAUM_SOURCE_DIR;
 constexpr render::Size window{1278, 720};
 constexpr int reduced_by = 3;
-// Largest distance allowed from a stored picture: mean, and mean of the worst tile (dE*ab). On other
-// processors rounding moves some edges by a pixel. A missing object changes the picture far more.
+// Largest distance allowed from a stored picture: its mean, and the mean of the worst tile (dE*ab, a measure
+// of colour differences of which the eye hardly sees 1). On other processors rounding moves some edges by a
+// pixel. A missing object changes the picture far more.
 constexpr double max_mean = 1, max_worst = 7;
 
 /// Picture reduced to a third of the size. Each pixel is the mean of 3 x 3 pixels.
@@ -428,7 +429,7 @@ TEST_F(SplitPictures, EachViewIsThatViewDrawnAlone) {
             settings.split = split;
             settings.quality = quality;
             expect_views_alone({640, 360});
-            // If the window is higher than this, the views are drawn smaller and enlarged, except at high
+            // In a window higher than 720 px, the views are drawn smaller and enlarged, except at high
             // quality.
             if (quality != Quality::high) expect_views_alone({701, 809});
         }

@@ -42,7 +42,7 @@ protected:
         return count;
     }
 
-    /// Number of those of 8 levels of brightness that occur on more than 1 % of the pixels.
+    /// Number of levels of brightness, out of 8, that more than 1 % of the pixels in a rectangle have.
     static int shades(const render::Image& image, const render::Rect& in) {
         std::array<int, 8> levels{};
         for (int y = in.y; y < in.y + in.height; ++y) {

@@ -231,7 +231,7 @@ struct SampleReader {
         counts.up += sample.counts[hand::look_up];
         counts.wheel += sample.counts[hand::wheel];
         const bool down = sample.down(Button::fire);
-        // Counted only after the release, so that the next press is seen as a new one.
+        // A press is counted only after the release, so that the next press is seen as a new one.
         if (was_down && !down) presses.fetch_add(1);
         was_down = down;
     }

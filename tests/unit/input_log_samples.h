@@ -19,7 +19,7 @@ struct Folder : TemporaryFolder {
     std::filesystem::path operator/(std::string_view name) const { return path() / name; }
 };
 
-/// A file whose contents change often; much faster than creating a new file each time.
+/// A file whose contents a test replaces again and again, which is much faster than to create new files.
 class Scratch {
 public:
     explicit Scratch(std::filesystem::path where)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double curves[] = {0, 0.1, 0.3, 0.5, 0.7, 0.9, 1};
 
-/// Turn rate in the match, as a share of the full rate.
+/// Turn rate in the match for a stick pushed by `push` (0 to 1), as a share of the full rate.
 double rate_of(double push, double curve) { return turn_share(deflection_for(push, curve)); }
 
 TEST(InputStick, EveryCurveIsFixedAtRestAndAtTheEnds) {

@@ -56,7 +56,7 @@ TEST(Jacket, WordsOfNoFormAreAnsweredWithAllForms) {
               "\"hid:VVVV:PPPP\", \"audio\", \"audio8\", \"audio:DEVICE\" or \"record:FILE.csv\"");
 }
 
-/// Words in quotes of a part of a file.
+/// All quoted words of a file between the texts `from` and `to`.
 std::vector<std::string> quoted_in(const std::string& file, std::string_view from, std::string_view to) {
     const auto all = read_text_file(std::string(THAUM_SOURCE_DIR) + file, 1U << 20U).value_or("");
     const auto begin = all.find(from);

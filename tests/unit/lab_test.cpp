@@ -59,7 +59,7 @@ TEST(Lab, ALadleMovesTheFluidAndEqualInputsGiveEqualBits) {
         LabState one = lab_of(settings), other = lab_of(settings);
         std::string rows, rows_of_other;
         const LabFigures figures = run(one, stirred(Stirring::circle), 40, 0, &rows);
-        // A second lab with the same input, which computes the fluid on another thread.
+        // The second lab gets the same input, but computes the fluid on another thread.
         run(other, stirred(Stirring::circle), 40, 1, &rows_of_other);
         EXPECT_GT(figures.fluid.speed, 0.1);
         EXPECT_EQ(rows, rows_of_other);

@@ -52,7 +52,7 @@ TEST(LikelySpell, DependsOnTheStrokeAlone) {
             draw_part(other, "star", share);
             likely_spell(other, *picture.shown);
         }
-        // Other strokes, after which the first one is no longer remembered
+        // Reads other strokes, until the result for the first stroke is no longer remembered.
         for (const auto* gesture : {"circle", "v"}) {
             draw_part(other, gesture, 0.5);
             likely_spell(other, *picture.shown);
@@ -141,7 +141,7 @@ TEST(LikelySpell, StandsOnAPlateInItsPanelWithTheStrokeOnAPageBesideIt) {
     for (const auto& spell : picture.shown->spells) {
         draw_part(casting, spell.gesture, 0.7);
         auto layout = *lay_out({.watch = Watch::first}, {1280, 720}, 5).views[0];
-        // The layout that a view has beside the gesture wall.
+        // Changes the layout to that of a view beside the gesture wall.
         layout.strokes.low.x = layout.centre.x - layout.ring;
         render::Overlay out;
         add_stroke(out, casting, *picture.shown, 0, layout);

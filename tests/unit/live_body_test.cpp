@@ -145,7 +145,8 @@ TEST(LiveBodyThreads, TheFigureIsMadeForThePlayersWhoSeeIt) {
     EXPECT_TRUE(seen);
 }
 
-/// A faulty file affects nothing else. A layout without actuators, which replaces a faulty one, stays silent.
+/// A fault in a file has no effect on what other files describe. A faulty layout of a jacket is replaced by
+/// one without actuators, which stays silent.
 TEST(LiveBody, AFaultyFileCostsItselfAlone) {
     const TemporaryFolder folder;
     std::filesystem::copy(game::test::assets() / "tactile", folder.path() / "tactile",

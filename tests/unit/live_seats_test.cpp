@@ -47,7 +47,8 @@ TEST(JoinedSeats, ABotTakesAnEmptySeatAndADummyTheSecondOneOfPractice) {
     EXPECT_EQ(seats[game::dummys].kind, SeatKind::dummy);
 }
 
-/// Values of a player's faders after all changes that these report one by one, and the number of changes.
+/// Takes from `faders` all changes that a match must still get. Returns `values` with these changes, and the
+/// number of changes.
 std::pair<FaderInput::Values, int> moved(FaderInput& faders, FaderInput::Values values) {
     int moves = 0;
     for (auto change = faders.take(); change.fader != 0; change = faders.take(), ++moves) {

@@ -81,7 +81,7 @@ protected:
         return shared_.screen.newest();
     }
     auto& requests() { return shared_.requests; }
-    /// Whether the oldest request that waits is of this kind. Takes it.
+    /// Takes the oldest request that waits for the match. Returns whether it is of this kind.
     template <class T>
     bool asked_range() {
         const auto request = requests().take();
