@@ -105,6 +105,14 @@ using Floats4 = float __attribute__((vector_size(16)));
 /// Four integers: the result of comparing two vectors of four floats.
 using Narrow4 = std::int32_t __attribute__((vector_size(16)));
 
+/// Copies a row of densities. Most rows are whole, and the copy of a constant number of bytes needs no call.
+void copy_row(const float* from, float* to, std::size_t width) {
+    if (width == brick_size)
+        std::memcpy(to, from, brick_size * sizeof(float));
+    else
+        std::copy_n(from, width, to);
+}
+
 /// Moves each density of a row towards the constant of a filter, by the part of the way that `shares` gives.
 /// Adds the changes to `sums` and returns a bit for each density that changed. Eight are computed at once,
 /// which takes a third of the time; the sums are added one by one, in the order of the row.
@@ -116,12 +124,12 @@ unsigned filter_row(const VoxelView& body, const Cast& cast, std::span<float> ro
     const Doubles4 target = empty + cast.operation->density * range;
     const Doubles4 near = all_four(close_enough * range);
     std::array<float, brick_size> densities{};
-    std::memcpy(densities.data(), row.data(), row.size_bytes());
-    std::array<double, brick_size> more;
-    std::array<std::int64_t, brick_size> changed;
+    copy_row(row.data(), densities.data(), row.size());
+    std::array<double, brick_size> added, removed;
+    unsigned bits = 0;
     for (std::size_t half = 0; half < brick_size; half += 4) {
         const auto stored = four_at<Floats4>(&densities[half]);
-        const auto share = four_at<Doubles4>(&shares[half]);
+        const auto share = four_at<Doubles4>(&shares[half]);  // 0 beyond the row's end, which changes nothing
         const Doubles4 current = __builtin_convertvector(stored, Doubles4);
         const Doubles4 d = ((current >= -largest) & (current <= largest)) ? current : empty;
         const Doubles4 moved = d + share * (target - d), off = moved - target;
@@ -129,17 +137,19 @@ unsigned filter_row(const VoxelView& body, const Cast& cast, std::span<float> ro
         const Floats4 next = __builtin_convertvector(exact, Floats4);
         const Doubles4 kept = __builtin_convertvector(next, Doubles4);
         const Integers4 changes = (kept != current) & (share > Doubles4{});
-        put_four(&more[half], changes ? kept - d : Doubles4{});
-        put_four(&changed[half], changes);
+        const Doubles4 more = changes ? kept - d : Doubles4{};
+        put_four(&added[half], more > Doubles4{} ? more : Doubles4{});
+        put_four(&removed[half], more > Doubles4{} ? Doubles4{} : -more);
         put_four(&densities[half], __builtin_convertvector(changes, Narrow4) ? next : stored);
+        const Integers4 bit = changes & Integers4{1, 2, 4, 8};
+        bits |= static_cast<unsigned>(bit[0] | bit[1] | bit[2] | bit[3]) << half;
     }
-    unsigned bits = 0;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        bits |= changed[i] != 0 ? 1U << i : 0U;
-        sums.added += more[i] > 0 ? more[i] : 0;
-        sums.removed += more[i] > 0 ? 0 : -more[i];
+    if (bits == 0) return 0;
+    for (std::size_t i = 0; i < brick_size; ++i) {
+        sums.added += added[i];
+        sums.removed += removed[i];
     }
-    if (bits != 0) std::memcpy(row.data(), densities.data(), row.size_bytes());
+    copy_row(densities.data(), row.data(), row.size());
     return bits;
 }
 
@@ -233,40 +243,49 @@ unsigned change_row(const VoxelView& body, const Cast& cast, std::array<int, 3> 
     return changed;
 }
 
-void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, Changed& changed, Edit& sums) {
+void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, BellAxes& last, Changed& changed,
+           Edit& sums) {
     const VoxelBox part = overlap(brick, cast.footprint.box);
     if (part.empty()) return;
     PartWeights weights;
-    const std::size_t count = weigh(cast.footprint, part, weights);
-    if (cast.operation->method == Method::filter) to_shares(cast.amount, count, weights);
-    const int low = part.low[0];
+    const std::size_t count = weigh(cast.footprint, part, last, weights);
+    const WeightedRows weighted = weighted_rows(weights, count);
+    if (cast.operation->method == Method::filter) to_shares(cast.amount, weighted, weights);
+    const int low = part.low[0], rows = part.high[1] - part.low[1];
     const auto width = static_cast<std::size_t>(part.high[0] - low);
-    std::size_t at = 0;
-    for (int k = part.low[2]; k < part.high[2]; ++k) {
-        for (int j = part.low[1]; j < part.high[1]; ++j, at += brick_size) {
-            const auto row = std::span(weights).subspan(at).first<brick_size>();
-            if (!std::ranges::any_of(row, [](double weight) { return weight > 0; })) continue;
-            const int row_in_brick = (k % brick_size) * brick_size + j % brick_size;
-            std::uint8_t& bits = changed[static_cast<std::size_t>(row_in_brick)];
-            bits = static_cast<std::uint8_t>(bits | change_row(body, cast, {low, j, k}, width, row, sums)
-                                                        << static_cast<unsigned>(low % brick_size));
-        }
+    for (std::size_t i = 0; i < weighted.count; ++i) {
+        const int row = weighted.rows[i], j = part.low[1] + row % rows, k = part.low[2] + row / rows;
+        const auto of_row = std::span(weights).subspan(static_cast<std::size_t>(row) * brick_size);
+        const int row_in_brick = (k % brick_size) * brick_size + j % brick_size;
+        std::uint8_t& bits = changed[static_cast<std::size_t>(row_in_brick)];
+        bits = static_cast<std::uint8_t>(
+            bits | change_row(body, cast, {low, j, k}, width, of_row.first<brick_size>(), sums)
+                       << static_cast<unsigned>(low % brick_size));
     }
 }
 
 /// Adds the number of changed voxels of a brick (block of voxels), and a box around them, to the result.
 void count_changed(const Changed& changed, const VoxelBox& brick, Edit& result) {
-    const std::size_t before = result.voxels;
-    for (int row = 0; row < brick_size * brick_size; ++row) {
-        const unsigned bits = changed[static_cast<std::size_t>(row)];
-        if (bits == 0) continue;
-        const int j = brick.low[1] + row % brick_size, k = brick.low[2] + row / brick_size;
-        const int first = brick.low[0] + std::countr_zero(bits);
-        const int end = brick.low[0] + static_cast<int>(std::bit_width(bits));
-        result.changed = around(result.changed, {{first, j, k}, {end, j + 1, k + 1}});
-        result.voxels += static_cast<std::size_t>(std::popcount(bits));
+    unsigned columns = 0, rows = 0, layers = 0, count = 0;  // a bit for each that has a changed voxel
+    for (unsigned layer = 0; layer < brick_size; ++layer) {
+        for (unsigned row = 0; row < brick_size; ++row) {
+            const unsigned bits = changed[layer * brick_size + row];
+            columns |= bits;
+            rows |= bits != 0 ? 1U << row : 0U;
+            layers |= bits != 0 ? 1U << layer : 0U;
+            count += static_cast<unsigned>(std::popcount(bits));
+        }
     }
-    if (result.voxels > before) ++result.bricks;
+    if (count == 0) return;
+    VoxelBox box = brick;
+    const std::array bits{columns, rows, layers};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.low[axis] = brick.low[axis] + std::countr_zero(bits[axis]);
+        box.high[axis] = brick.low[axis] + static_cast<int>(std::bit_width(bits[axis]));
+    }
+    result.changed = around(result.changed, box);
+    result.voxels += count;
+    ++result.bricks;
 }
 
 }  // namespace
@@ -281,6 +300,7 @@ Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab) {
     Casts casts;
     collect(body, tool, dab, casts);
     Edit result;
+    BellAxes last;
     Bricks& bricks = *body.bricks;
     const std::uint32_t version = bricks.newest + 1;
     for_each_brick(bricks, bricks_around(box_around(casts)),
@@ -289,7 +309,7 @@ Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab) {
                        const std::size_t before = result.bricks;
                        Changed changed{};
                        for (std::size_t i = 0; i < casts.count; ++i)
-                           apply(body, casts.items[i], box, changed, result);
+                           apply(body, casts.items[i], box, last, changed, result);
                        count_changed(changed, box, result);
                        if (result.bricks > before) bricks.version[number] = version;
                    });

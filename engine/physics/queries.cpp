@@ -89,7 +89,7 @@ void Physics::Impl::gather_from(const Body& body, vec3 point, detail::NearestSur
         if (detail::wanted(into, surface.distance)) detail::add(into, surface);
         return;
     }
-    meshes[body.desc.mesh].gather(local, into.found.reach, surface, into);
+    meshes[body.desc.mesh].gather(local, surface, into);
     const mat3 turn = glm::mat3_cast(s.orientation);
     for (std::size_t i = 0; i < into.found.count; ++i) {
         Nearby& t = into.into[i];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "physics/physics.h"
@@ -157,6 +158,51 @@ TEST(PhysicsNearby, AFullArrayKeepsTheNearestAndReducesTheReach) {
         }
     }
     EXPECT_EQ(physics.nearby({}, 10, {}).count, 0U);
+}
+
+/// A fan of triangles around a place, so that very many are at one distance from a point above it.
+TriangleMesh fan(std::uint32_t sides) {
+    TriangleMesh mesh{.vertices = {{0, 0, 0}}, .triangles = {}};
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double turn = 2 * pi * i / sides;
+        mesh.vertices.push_back({det::cos(turn), -1, det::sin(turn)});
+        mesh.triangles.push_back({0, i + 1, 1 + (i + 1) % sides});
+    }
+    mesh.triangles.push_back({0, 0, 1});  // without area: no distance from some places
+    return mesh;
+}
+
+/// Compares a search with little room to one that finds all triangles, which another test compares with the
+/// mesh.
+void expect_the_nearest(const Physics& physics, vec3 point, std::span<Nearby> all) {
+    const auto whole = physics.nearby(point, 20, all);
+    ASSERT_LT(whole.count, all.size());
+    std::vector<double> distances;
+    for (const Nearby& t : all.first(whole.count)) distances.push_back(t.distance);
+    std::ranges::sort(distances);
+    std::array<Nearby, 32> few{};
+    const auto part = physics.nearby(point, 20, few);
+    ASSERT_EQ(part.count, few.size());
+    EXPECT_EQ(part.reach, distances[few.size()]);
+    std::size_t next = 0, nearer = 0;  // those found are in the order of all
+    for (const Nearby& t : few) {
+        EXPECT_LE(t.distance, distances[few.size() - 1]);
+        nearer += t.distance < part.reach ? 1 : 0;
+        while (next < whole.count && all[next].part != t.part) ++next;
+        EXPECT_LT(next++, whole.count);
+    }
+    EXPECT_EQ(nearer, std::ranges::count_if(distances, [&](double d) { return d < part.reach; }));
+}
+
+TEST(PhysicsNearby, AmongManyTrianglesAFullArrayHasTheNearest) {
+    std::vector<Nearby> all(4000);
+    Random random{3};
+    for (const std::uint32_t mesh : {0U, 1U}) {
+        Physics world({}, {hills(40, 1.0), fan(500)});
+        world.add(1, {.shape = Shape::mesh, .mesh = mesh}, {});
+        for (int n = 0; n < 50; ++n) expect_the_nearest(world, some_place(random, 3), all);
+        expect_the_nearest(world, {0, 1, 0}, all);
+    }
 }
 
 TEST(PhysicsNearby, ABodysVelocityIsTheOneAtThePoint) {

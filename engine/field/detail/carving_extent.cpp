@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <span>
 
 #include "core/doubles4.h"
 #include "core/exp8.h"
@@ -85,8 +84,6 @@ double stamp_weight(const Footprint& f, vec3 local) {
     return clean(sum);
 }
 
-using BrickAxis = std::array<double, brick_size>;
-
 /// Coordinates of the voxels of a part along each axis, from the shape's centre; 0 beyond the end of the
 /// part.
 std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part) {
@@ -118,17 +115,67 @@ std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, 
     return at;
 }
 
+/// Sixteen numbers. Each step of a series waits for the one before, so four vectors take hardly longer than
+/// one.
+using Sixteen = std::array<Doubles4, 4>;
+
 /// exp(x) for -max_amount <= x <= 0: x = n log 2 + r, and a Taylor series in Horner's form for exp(r).
-Doubles4 falling_exp(const Doubles4& x) {
+Sixteen falling_exp(const Sixteen& x) {
     constexpr double log_2_high = 0x1.62e42fee00000p-1, log_2_low = 0x1.a39ef35793c76p-33;
     constexpr double per_log_2 = 1.4426950408889634,
                      whole = 0x1.8p52;  // adding and subtracting `whole` rounds to an integer
-    const Doubles4 rounded = x * per_log_2 + whole, n = rounded - whole;
-    const Doubles4 r = (x - n * log_2_high) - n * log_2_low;
-    Doubles4 series = 1.0 + r * (1.0 / 11);
-    for (int power = 10; power >= 1; --power) series = 1.0 + r * (1.0 / power) * series;
-    const auto exponent = (std::bit_cast<Integers4>(rounded) + 1023) << 52;
-    return series * std::bit_cast<Doubles4>(exponent);
+    Sixteen rounded, r, series;
+    for (std::size_t i = 0; i < 4; ++i) {
+        rounded[i] = x[i] * per_log_2 + whole;
+        const Doubles4 n = rounded[i] - whole;
+        r[i] = (x[i] - n * log_2_high) - n * log_2_low;
+        series[i] = 1.0 + r[i] * (1.0 / 11);
+    }
+    for (int power = 10; power >= 1; --power)
+        for (std::size_t i = 0; i < 4; ++i) series[i] = 1.0 + r[i] * (1.0 / power) * series[i];
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto exponent = (std::bit_cast<Integers4>(rounded[i]) + 1023) << 52;
+        series[i] = series[i] * std::bit_cast<Doubles4>(exponent);
+    }
+    return series;
+}
+
+/// Computes the factors of a bell along an axis, unless they are the last ones. Beyond the part's end they
+/// are 0.
+void find_factors(const Footprint& f, const VoxelBox& part, std::size_t axis, BellAxis& last) {
+    const int a = static_cast<int>(axis), low = part.low[axis], high = part.high[axis];
+    const double centre = f.centre[a], step = f.step[a], radius = f.half.x;
+    if (last.centre == centre && last.step == step && last.radius == radius && last.low == low &&
+        last.high == high)
+        return;
+    last = {centre, step, radius, low, high, {}};
+    BrickAxis exponents{};
+    for (int i = low; i < high; ++i) {
+        const double d = (i - centre) * step;
+        exponents[static_cast<std::size_t>(i - low)] = -bell_exponent * (d / radius) * (d / radius);
+    }
+    exponents = det::exp8(exponents);
+    std::copy_n(exponents.begin(), high - low, last.factors.begin());
+}
+
+/// Weights of a bell, which is the product of one along each axis.
+std::size_t weigh_bell(const Footprint& f, const VoxelBox& part, BellAxes& bell, PartWeights& weights) {
+    static const double rim = det::exp(-bell_exponent), scale = 1 / (1 - rim);
+    for (std::size_t axis = 0; axis < 3; ++axis) find_factors(f, part, axis, bell[axis]);
+    const auto size = [&](std::size_t axis) {
+        return static_cast<std::size_t>(part.high[axis] - part.low[axis]);
+    };
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < size(2); ++k) {
+        for (std::size_t j = 0; j < size(1); ++j) {
+            for (std::size_t half = 0; half < brick_size; half += 4, at += 4) {
+                const auto x = four_at<Doubles4>(&bell[0].factors[half]);
+                const Doubles4 weight = (x * bell[1].factors[j] * bell[2].factors[k] - rim) * scale;
+                put_four(&weights[at], weight > Doubles4{} ? weight : Doubles4{});
+            }
+        }
+    }
+    return at;
 }
 
 }  // namespace
@@ -160,18 +207,9 @@ Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3
     return footprint_of(body, longer, place - 0.5 * motion, mat3(glm::cross(y, z), y, z));
 }
 
-std::size_t weigh(const Footprint& f, const VoxelBox& part, PartWeights& weights) {
+std::size_t weigh(const Footprint& f, const VoxelBox& part, BellAxes& last, PartWeights& weights) {
+    if (f.shape == ExtentShape::gaussian) return weigh_bell(f, part, last, weights);
     auto axes = along_axes(f, part);
-    if (f.shape == ExtentShape::gaussian) {
-        const double rim = det::exp(-bell_exponent), scale = 1 / (1 - rim);
-        for (BrickAxis& axis : axes) {
-            for (double& d : axis) d = -bell_exponent * (d / f.half.x) * (d / f.half.x);
-            axis = det::exp8(axis);
-        }
-        return combine(axes, part, weights, [&](double x, double y, double z) {
-            return std::max(0.0, (x * y * z - rim) * scale);
-        });
-    }
     if (f.shape == ExtentShape::sphere) {
         for (BrickAxis& axis : axes) {
             for (double& d : axis) d = d * d;
@@ -186,14 +224,29 @@ std::size_t weigh(const Footprint& f, const VoxelBox& part, PartWeights& weights
     });
 }
 
-void to_shares(double amount, std::size_t count, PartWeights& weights) {
-    for (std::size_t at = 0; at < count; at += brick_size) {
-        const auto row = std::span(weights).subspan(at).first<brick_size>();
-        if (std::ranges::all_of(row, [](double weight) { return weight == 0; })) continue;
-        for (std::size_t half = 0; half < brick_size; half += 4) {
-            const auto four = four_at<Doubles4>(&row[half]);
-            put_four(&row[half], 1.0 - falling_exp(-amount * four));
-        }
+WeightedRows weighted_rows(const PartWeights& weights, std::size_t count) {
+    WeightedRows weighted;
+    for (std::size_t row = 0; row * brick_size < count; ++row) {
+        const double* const at = &weights[row * brick_size];
+        double most = 0;
+        for (std::size_t i = 0; i < brick_size; ++i) most = std::max(most, at[i]);
+        weighted.rows[weighted.count] = static_cast<std::uint8_t>(row);
+        weighted.count += most > 0 ? 1 : 0;
+    }
+    return weighted;
+}
+
+void to_shares(double amount, const WeightedRows& weighted, PartWeights& weights) {
+    for (std::size_t i = 0; i < weighted.count; i += 2) {
+        // The last row stands for its missing partner.
+        double* const row = &weights[weighted.rows[i] * std::size_t{brick_size}];
+        double* const next =
+            &weights[weighted.rows[std::min(i + 1, weighted.count - 1)] * std::size_t{brick_size}];
+        const std::array<double*, 4> halves{row, row + 4, next, next + 4};
+        Sixteen x;
+        for (std::size_t h = 0; h < 4; ++h) x[h] = -amount * four_at<Doubles4>(halves[h]);
+        const Sixteen left = falling_exp(x);
+        for (std::size_t h = 0; h < 4; ++h) put_four(halves[h], 1.0 - left[h]);
     }
 }
 

@@ -10,6 +10,8 @@
 //     normal off by, at most     18.1    7.5     2.4     0.9     degrees
 #pragma once
 #include <array>
+#include <cstdint>
+#include <limits>
 
 #include "field/carving_tools.h"
 
@@ -40,16 +42,37 @@ Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3
 /// beyond the end of a shorter row are 0.
 using PartWeights = std::array<double, voxels_of_brick>;
 
-/// Computes the weights of the voxels of `part`, from 0 to 1. Returns the number of weights.
-std::size_t weigh(const Footprint& footprint, const VoxelBox& part, PartWeights& weights);
+/// A number for each voxel of a part along one axis.
+using BrickAxis = std::array<double, brick_size>;
+
+/// The factors of a bell (ExtentShape::gaussian) along one axis of a part, and what they were computed from.
+/// Most parts share them with the part before along two axes, and several operations with each other.
+struct BellAxis {
+    double centre = std::numeric_limits<double>::quiet_NaN();  ///< at first equal to nothing
+    double step{}, radius{};
+    int low{}, high{};
+    BrickAxis factors{};
+};
+using BellAxes = std::array<BellAxis, 3>;
+
+/// Computes the weights of the voxels of `part`, from 0 to 1. Returns the number of weights. `last` keeps
+/// what may serve for the next part.
+std::size_t weigh(const Footprint& footprint, const VoxelBox& part, BellAxes& last, PartWeights& weights);
 
 /// Largest product of a filter's rate and time in one edit. exp(-max_amount) is close to the least normal
 /// double.
 inline constexpr double max_amount = 700;
 
-/// Turns the first `count` weights w into 1 - exp(-amount w), the part of the way to its constant by which a
-/// filter moves a property. The error is below 1e-13. Four voxels are computed at once, and rows of zeros, as
-/// there are around a ball, are left as they are.
-void to_shares(double amount, std::size_t count, PartWeights& weights);
+/// Rows of a part that hold a weight above 0, in order. Around a ball there are others. They are left out
+/// here, once, because a branch at each row would often be foreseen wrongly.
+struct WeightedRows {
+    std::array<std::uint8_t, voxels_of_brick / brick_size> rows;
+    std::size_t count = 0;
+};
+WeightedRows weighted_rows(const PartWeights& weights, std::size_t count);
+
+/// Turns the weights w of these rows into 1 - exp(-amount w), the part of the way to its constant by which a
+/// filter moves a property. The error is below 1e-13. Two rows are computed at once.
+void to_shares(double amount, const WeightedRows& weighted, PartWeights& weights);
 
 }  // namespace thaum::field

@@ -22,6 +22,7 @@
 #include <algorithm>
 
 #include "core/assert.h"
+#include "physics/detail/triangle_tree.h"
 
 namespace thaum::physics::detail {
 namespace {
@@ -101,7 +102,24 @@ struct Mesh::Parts {
     std::unique_ptr<btTriangleIndexVertexArray> triangles;
     std::unique_ptr<btBvhTriangleMeshShape> shape;
     std::unique_ptr<btTriangleInfoMap> edges;
+    TriangleTree tree;
 };
+
+namespace {
+
+/// The triangles of a mesh in the order of Bullet's tree, which keeps near ones together.
+std::vector<std::uint32_t> tree_order(const btBvhTriangleMeshShape& shape) {
+    struct Collect : btTriangleCallback {
+        std::vector<std::uint32_t> order;
+        void processTriangle(btVector3*, int, int index) override {
+            order.push_back(static_cast<std::uint32_t>(index));
+        }
+    } all;
+    shape.processAllTriangles(&all, shape.getLocalAabbMin(), shape.getLocalAabbMax());
+    return all.order;
+}
+
+}  // namespace
 
 Mesh::Mesh(const TriangleMesh& mesh) : parts_(std::make_unique<Parts>()) {
     THAUM_ASSERT(!mesh.triangles.empty(), "a mesh has no triangles");
@@ -125,6 +143,7 @@ Mesh::Mesh(const TriangleMesh& mesh) : parts_(std::make_unique<Parts>()) {
     p.shape = std::make_unique<btBvhTriangleMeshShape>(p.triangles.get(), true);
     p.edges = std::make_unique<btTriangleInfoMap>();
     btGenerateInternalEdgeInfo(p.shape.get(), p.edges.get());
+    p.tree = TriangleTree(mesh, tree_order(*p.shape));
 }
 
 Mesh::~Mesh() = default;
@@ -154,27 +173,8 @@ std::optional<CastHit> Mesh::cast(const Path& path) const {
     return nearest.contact;
 }
 
-void Mesh::gather(vec3 point, double radius, const Nearby& body, NearestSurfaces& into) const {
-    struct Within : btTriangleCallback {
-        vec3 point;
-        Nearby triangle;
-        NearestSurfaces* into;
-        void processTriangle(btVector3* corner, int, int index) override {
-            const vec3 corners[3] = {from_bullet(corner[0]), from_bullet(corner[1]), from_bullet(corner[2])};
-            triangle.distance = nearest_to_triangle(corners, point).distance;
-            if (!wanted(*into, triangle.distance)) return;
-            triangle.a = corners[0];
-            triangle.b = corners[1];
-            triangle.c = corners[2];
-            triangle.part = static_cast<std::uint32_t>(index);
-            add(*into, triangle);
-        }
-    } within;
-    within.point = point;
-    within.triangle = body;
-    within.into = &into;
-    const vec3 half(radius + 1e-6);  // a margin for the tree's rounding
-    parts_->shape->processAllTriangles(&within, to_bullet(point - half), to_bullet(point + half));
+void Mesh::gather(vec3 point, const Nearby& body, NearestSurfaces& into) const {
+    parts_->tree.gather(point, body, into);
 }
 
 void write_motion(btRigidBody& body, const BodyState& state) {

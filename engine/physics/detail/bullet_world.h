@@ -31,8 +31,8 @@ public:
     btCollisionShape* shape() const;
     /// Casts a path given in the frame of the mesh.
     std::optional<CastHit> cast(const Path&) const;
-    /// Adds the triangles within the radius of a point, all in the frame of the mesh.
-    void gather(vec3 point, double radius, const Nearby& body, NearestSurfaces&) const;
+    /// Adds the triangles within the reach of the search around a point, all in the frame of the mesh.
+    void gather(vec3 point, const Nearby& body, NearestSurfaces&) const;
 
 private:
     struct Parts;

@@ -71,4 +71,8 @@ NearestPoint nearest_to_triangle(const vec3 (&corner)[3], vec3 p) {
     return beyond(p - nearest_point(corner, p));
 }
 
+double distance_to_triangle(const vec3 (&corner)[3], vec3 p) {
+    return glm::length(p - nearest_point(corner, p));
+}
+
 }  // namespace thaum::physics::detail

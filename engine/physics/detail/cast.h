@@ -25,6 +25,8 @@ inline constexpr double touching = 1e-9;
 /// Nearest point in the shape's own frame.
 NearestPoint nearest_to(const BodyDesc&, vec3 point);
 NearestPoint nearest_to_triangle(const vec3 (&corner)[3], vec3 point);
+/// The distance alone, to the same bits.
+double distance_to_triangle(const vec3 (&corner)[3], vec3 point);
 
 /// Path of a moving point or sphere.
 struct Path {
