@@ -1,5 +1,6 @@
 // core/hash.h: the only 64-bit hash of the project (XXH3), for states, files and blocks.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +10,19 @@ namespace thaum {
 
 /// XXH3 hash of bytes (64 bits), the same on every machine. Different seeds give unrelated hashes.
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t seed = 0);
+
+/// XXH3 hash of bytes that come in pieces. It equals `hash_bytes` of all of them in one piece.
+class HashOfPieces {
+public:
+    HashOfPieces();
+    /// Appends bytes.
+    void add(std::span<const std::byte> bytes);
+    /// Hash of all bytes so far.
+    std::uint64_t value() const;
+
+private:
+    alignas(64) std::array<std::byte, 576> state_;  // the library's state, so that this header needs none
+};
 
 /// Combines two hashes or small numbers. The order of the arguments matters.
 constexpr std::uint64_t hash_combine(std::uint64_t a, std::uint64_t b) {

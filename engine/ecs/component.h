@@ -21,6 +21,12 @@
 //         static constexpr std::string_view name = "FluidSamples";
 //     };
 //
+// A component that is large, and whose entities often gain and lose others, may say
+//
+//     static constexpr bool stays_in_place = true;
+//
+// Its values then lie by the numbers of the entities, outside the tables (ecs/table.h). Nothing else changes.
+//
 // ecs/resource.h has values that systems share outside the World's state.
 #pragma once
 #include <array>
@@ -64,6 +70,26 @@ struct Mask {
         return *this;
     }
     bool operator==(const Mask&) const = default;
+};
+
+/// Components and resources that the running system declared to read and write.
+struct Access {
+    Mask reads;
+    Mask writes;
+    std::string_view system;
+
+    /// Whether the system declared that it reads the component, or that it writes it.
+    bool allows(std::uint32_t number, bool write) const {
+        return writes.test(number) || (!write && reads.test(number));
+    }
+};
+
+/// A function that is called with a component's bytes right after it was added, or right before it is removed
+/// (or its entity destroyed). A hook may read the World and change components, but must not add, remove,
+/// create or destroy.
+struct Hook {
+    void (*call)(void* context, Entity entity, const void* component) = nullptr;
+    void* context = nullptr;
 };
 
 /// The scalar types that a snapshot can hold.
@@ -258,6 +284,13 @@ concept Component = !Blob<T> && !ResourceType<T> && std::is_trivially_copyable_v
 }
 &&(Tag<T> || Described<T>);
 
+/// A component that says `static constexpr bool stays_in_place = true;`. Its value lies at the place of its
+/// entity's number and stays there when the entity moves to another table (ecs/table.h).
+template <class T>
+concept StaysInPlace = Component<T> && !Tag<T> && requires {
+    requires T::stays_in_place;
+};
+
 /// A type that a World can declare: a component or a blob (an array of numbers that no entity owns).
 template <class T>
 concept Declarable = Component<T> || Blob<T>;
@@ -273,13 +306,15 @@ struct ComponentInfo {
     std::uint32_t size{};  ///< size of the component, 0 for a tag; size of one element for a blob (bytes)
     std::vector<FieldInfo> fields;
     bool is_blob{};
+    bool stays_in_place{};
 };
 
 /// Describes a component. A component with padding, with a field that it does not list, or with one that
 /// it lists twice, does not compile.
 template <Component T>
 ComponentInfo component_info() {
-    ComponentInfo info{T::name, Tag<T> ? 0U : static_cast<std::uint32_t>(sizeof(T)), {}};
+    ComponentInfo info{
+        T::name, Tag<T> ? 0U : static_cast<std::uint32_t>(sizeof(T)), {}, false, StaysInPlace<T>};
     if constexpr (!Tag<T>) {
         static_assert(detail::packed_size<T>() == sizeof(T),
                       "a component lists all its fields and has no padding");

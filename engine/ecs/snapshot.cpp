@@ -17,8 +17,29 @@ std::span<const std::byte> raw(const T* data, std::size_t count) {
     return std::as_bytes(std::span(data, count));
 }
 
-std::span<const std::byte> cells(const Table& table, const Column& column) {
-    return {column.array.data(), std::size_t{table.rows} * column.size};
+/// Calls f(bytes) for pieces that together are the values of a column in the order of the rows. A component
+/// that stays in place has a piece for each run of entities with consecutive numbers.
+template <class F>
+void for_each_piece(const Table& table, const Column& column, F&& f) {
+    const std::size_t size = column.size;
+    if (!column.stays_in_place) {
+        f(std::span<const std::byte>(column.array.data(), table.rows * size));
+        return;
+    }
+    const auto* entities = table.entities();
+    for (std::uint32_t row = 0; row < table.rows;) {
+        const auto first = entities[row].index;
+        std::uint32_t count = 1;
+        while (row + count < table.rows && entities[row + count].index == first + count) ++count;
+        f(std::span<const std::byte>(table.cells[column.component] + first * size, count * size));
+        row += count;
+    }
+}
+
+std::uint64_t hash_of(const Table& table, const Column& column) {
+    HashOfPieces hash;
+    for_each_piece(table, column, [&](auto bytes) { hash.add(bytes); });
+    return hash.value();
 }
 
 void put_components(ByteWriter& out, const World& world) {
@@ -77,7 +98,9 @@ struct SnapshotAccess {
         for (const auto word : table.mask.words) out.put(word);
         out.put(table.rows);
         out.put_bytes(raw(table.entities(), table.rows));
-        for (const auto& column : table.columns) out.put_bytes(cells(table, column));
+        for (const auto& column : table.columns) {
+            for_each_piece(table, column, [&](auto bytes) { out.put_bytes(bytes); });
+        }
         out.put(static_cast<std::uint32_t>(table.tags.size()));
         for (const auto& tag : table.tags) {
             out.put(tag.component);
@@ -91,7 +114,7 @@ struct SnapshotAccess {
             h = hash_combine(h, table->mask.words[0]);
             h = hash_combine(h, table->mask.words[1] ^ table->rows);
             h = hash_combine(h, hash_bytes(raw(table->entities(), table->rows)));
-            for (const auto& column : table->columns) h = hash_combine(h, hash_bytes(cells(*table, column)));
+            for (const auto& column : table->columns) h = hash_combine(h, hash_of(*table, column));
             for (const auto& tag : table->tags) {
                 h = hash_combine(h, hash_bytes(raw(tag.words.data(), words_for(table->rows)), tag.component));
             }
@@ -107,6 +130,7 @@ struct SnapshotAccess {
         world.last_edge_ = &world.no_edge_;
         world.tables_.clear();
         for (auto& query : world.queries_) query.reset();
+        world.places_ = {};
         world.memory_.release();
         world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
@@ -136,6 +160,7 @@ struct SnapshotAccess {
         if (!in.ok()) return false;
         world.records_.resize(records);
         if (records > 0) std::memcpy(world.records_.data(), bytes.data(), bytes.size());
+        world.make_places(records);
         world.free_ = in.get<std::uint32_t>();
         const auto tables = in.get<std::uint32_t>();
         for (std::uint32_t t = 0; t < tables; ++t) {
@@ -176,10 +201,21 @@ struct SnapshotAccess {
         if (!copy(in, reinterpret_cast<std::byte*>(table.entities()), std::size_t{rows} * sizeof(Entity)))
             return false;
         for (auto& column : table.columns) {
-            if (!copy(in, column.array.data(), std::size_t{rows} * column.size)) return false;
+            if (!get_column(in, world, table, column)) return false;
             world.counts_[column.component] += rows;
         }
         return get_tags(in, world, table);
+    }
+
+    static bool get_column(ByteReader& in, const World& world, const Table& table, const Column& column) {
+        const std::size_t size = column.size;
+        if (!column.stays_in_place) return copy(in, column.array.data(), table.rows * size);
+        for (std::uint32_t row = 0; row < table.rows; ++row) {
+            const auto index = table.entities()[row].index;
+            if (index >= world.records_.size()) return false;
+            if (!copy(in, table.cells[column.component] + index * size, size)) return false;
+        }
+        return true;
     }
 
     /// Whether this is a component with data. Only such a component has a column of values in each table;

@@ -14,8 +14,8 @@ void RawArray::grow(std::size_t bytes, std::size_t keep, TableMemory& memory) {
     *this = std::move(larger);
 }
 
-void Table::add_column(std::uint32_t component, std::uint32_t size) {
-    columns.push_back({component, size, {}});
+void Table::add_column(std::uint32_t component, std::uint32_t size, bool stays_in_place) {
+    columns.push_back({component, size, stays_in_place, {}});
 }
 
 void Table::reserve(std::uint32_t rows_wanted) {
@@ -23,6 +23,7 @@ void Table::reserve(std::uint32_t rows_wanted) {
     capacity = rows_wanted;
     entity_array.grow(std::size_t{capacity} * sizeof(Entity), std::size_t{rows} * sizeof(Entity), *memory);
     for (auto& column : columns) {
+        if (column.stays_in_place) continue;
         column.array.grow(std::size_t{capacity} * column.size, std::size_t{rows} * column.size, *memory);
         cells[column.component] = column.array.data();
     }
@@ -45,7 +46,7 @@ void Table::add_edge(std::uint32_t number, Table& other, std::uint32_t other_num
     edge->to = &other;
     edge->to_number = other_number;
     for (const auto& column : columns) {
-        if (column.component == component) continue;
+        if (column.component == component || column.stays_in_place) continue;
         edge->pairs.push_back({nullptr, nullptr, column.size, column.component});
     }
     edge->aim();

@@ -2,14 +2,19 @@
 //
 // Measured with `thaum bench ecs`: the arrays of one table iterate at the speed of raw arrays; sparse sets
 // reach a quarter of that speed or less. The price is that adding a component moves the entity to another
-// table. Four measures keep this cheap for components of any size. Iteration over the arrays is unaffected by
-// them:
+// table. Five measures keep this cheap:
 // - A table edge joins two tables that differ in one component. It lists the arrays between which a row
 //   moves, so a row moves in one pass without any look-up.
 // - Cells move through registers, in words of at most 32 bytes, without calls.
 // - All arrays of a table share one capacity, so one comparison shows whether there is room.
 // - Tags, which change most often, are columns of bits. They never move an entity, and a view reads 64 rows
 //   of them at a time.
+// - A large component may stay in place: its value lies in an array of the World, at the entity's number, and
+//   is not copied when the entity moves. The table counts it among its components like any other, so order,
+//   snapshots and hashes are the same. With the game's Motion in place, 100,000 loose objects get a Body in
+//   16 ns each instead of 30, and lose it in 13 instead of 29 (rows add_1 and remove_1). The price: the array
+//   has a cell for each entity number in use, and a view of a part of the entities reads cells that lie apart
+//   (every second one of 100,000: 10 ns instead of 7; of 1,000: 2.5 instead of 2.3; row iterate_3_half).
 //
 // A row is removed by moving the last row into its place. The order of rows therefore depends only on the
 // history of the World.
@@ -84,6 +89,8 @@ private:
 struct Column {
     std::uint32_t component{};
     std::uint32_t size{};  ///< size of the component in one row (bytes)
+    /// Whether the values lie by the numbers of their entities, outside the table. Then `array` is empty.
+    bool stays_in_place{};
     RawArray array;
 
     /// Address of the component's bytes in this row.
@@ -151,7 +158,9 @@ struct Table {
     /// Number of rows for which every array has room; above 0 if the table has columns.
     std::uint32_t capacity = 0;
 
-    std::array<std::byte*, max_components> cells;     ///< array of each data component; null: no such column
+    /// Array of each data component; null: no such column. It has one cell for each row, or, of a component
+    /// that stays in place, one for each entity number of the World.
+    std::array<std::byte*, max_components> cells;
     std::array<std::uint8_t, max_components> tag_of;  ///< index of each tag in `tags`; no_tag: none
     /// Edge for each component. It leads to the table that has this component as well, or, if this table has
     /// the component, to the table that lacks only this one. Null: not known yet.
@@ -173,7 +182,7 @@ struct Table {
         return reinterpret_cast<C*>(cells[component]);
     }
     /// Adds the array of a data component, which the table does not have yet. The table must have no rows.
-    void add_column(std::uint32_t component, std::uint32_t size);
+    void add_column(std::uint32_t component, std::uint32_t size, bool stays_in_place);
     /// Makes room for this many rows in total in every array.
     void reserve(std::uint32_t rows_wanted);
     void grow() { reserve(capacity == 0 ? 16 : capacity * 2); }
@@ -295,6 +304,7 @@ template <class F>
     const std::uint32_t last = rows - 1;
     if (row != last) {
         for (const auto& column : columns) {
+            if (column.stays_in_place) continue;
             copy_cell(column.cell(row), column.cell(last), column.size);
         }
     }

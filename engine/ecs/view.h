@@ -54,11 +54,12 @@ inline constexpr bool passed = !Term<T>::tag && !Term<T>::excluded;
 /// What the function passed to `each` gets for one term of a view (such as a component) in one row: a
 /// reference, or a pointer that may be null.
 template <class T>
-decltype(auto) argument(typename Term<T>::value* base, std::size_t row) {
+decltype(auto) argument(typename Term<T>::value* base, const Entity* entities, std::size_t row) {
+    const auto place = StaysInPlace<typename Term<T>::component> ? entities[row].index : row;
     if constexpr (Term<T>::optional) {
-        return base == nullptr ? nullptr : base + row;
+        return base == nullptr ? nullptr : base + place;
     } else {
-        return (base[row]);
+        return (base[place]);
     }
 }
 
@@ -162,10 +163,10 @@ private:
         const auto* entities = table.entities();
         const auto call = [&](std::size_t row) {
             if constexpr (std::is_invocable_v<F&, Entity,
-                                              decltype(detail::argument<Passed>(bases, row))...>) {
-                f(entities[row], detail::argument<Passed>(bases, row)...);
+                                              decltype(detail::argument<Passed>(bases, entities, row))...>) {
+                f(entities[row], detail::argument<Passed>(bases, entities, row)...);
             } else {
-                f(detail::argument<Passed>(bases, row)...);
+                f(detail::argument<Passed>(bases, entities, row)...);
             }
         };
         if constexpr (!filters_tags) {

@@ -84,7 +84,9 @@ namespace {
 std::uint32_t first_rows(const Table& table) {
     constexpr std::uint32_t usual_bytes = 16U << 10U, most = 16, least = 2;
     std::uint32_t largest = 1;
-    for (const auto& column : table.columns) largest = std::max(largest, column.size);
+    for (const auto& column : table.columns) {
+        if (!column.stays_in_place) largest = std::max(largest, column.size);
+    }
     return std::clamp(usual_bytes / largest, least, most);
 }
 
@@ -98,9 +100,10 @@ std::uint32_t World::table_with(const Mask& mask) {
     auto& table = *made;
     table.mask = mask;
     for (std::uint32_t c = 0; c < infos_.size(); ++c) {
-        if (mask.test(c)) table.add_column(c, infos_[c].size);
+        if (mask.test(c)) table.add_column(c, infos_[c].size, infos_[c].stays_in_place);
     }
     table.reserve(first_rows(table));
+    aim_at_places(table);
     tables_.push_back(std::move(made));
     return static_cast<std::uint32_t>(tables_.size() - 1);
 }
@@ -120,8 +123,28 @@ const TableEdge& World::find_edge(std::uint32_t table, std::uint32_t component, 
     return *last_edge_;
 }
 
+void World::aim_at_places(Table& table) {
+    for (const auto& column : table.columns) {
+        if (!column.stays_in_place) continue;
+        auto& array = places_[column.component];
+        if (array.data() == nullptr) array.grow(std::size_t{place_count_} * column.size, 0, memory_);
+        table.cells[column.component] = array.data();
+    }
+}
+
+void World::make_places(std::uint32_t count) {
+    if (count <= place_count_) return;
+    for (std::uint32_t c = 0; c < infos_.size(); ++c) {
+        const std::size_t size = infos_[c].size;
+        if (places_[c].data() != nullptr) places_[c].grow(count * size, place_count_ * size, memory_);
+    }
+    place_count_ = count;
+    for (auto& table : tables_) aim_at_places(*table);
+}
+
 std::uint32_t World::new_number() {
     records_.emplace_back();
+    if (records_.size() > place_count_) make_places(2 * place_count_);
     return static_cast<std::uint32_t>(records_.size() - 1);
 }
 
@@ -197,7 +220,8 @@ void World::add_bytes(Entity entity, std::uint32_t component, const void* bytes)
     } else {
         const auto size = infos_[component].size;
         const auto [array, row] = extend(entity, component);
-        std::memcpy(array + std::size_t{row} * size, bytes, size);
+        const auto place = infos_[component].stays_in_place ? entity.index : row;
+        std::memcpy(array + std::size_t{place} * size, bytes, size);
     }
     ++counts_[component];
     added(component, entity);
@@ -210,7 +234,9 @@ void World::remove_by_id(Entity entity, std::uint32_t component) {
     } else {
         const auto size = infos_[component].size;
         const auto [array, row, filler] = narrow(entity, component);
-        std::memmove(array + std::size_t{row} * size, array + std::size_t{filler} * size, size);
+        if (!infos_[component].stays_in_place) {
+            std::memmove(array + std::size_t{row} * size, array + std::size_t{filler} * size, size);
+        }
     }
     --counts_[component];
 }
@@ -219,12 +245,15 @@ const void* World::find_bytes(Entity entity, std::uint32_t component) const {
     if (!alive(entity)) return nullptr;
     const auto& r = records_[entity.index];
     const auto* cells = tables_[r.table]->cells[component];
-    return cells == nullptr ? nullptr : cells + std::size_t{r.row} * infos_[component].size;
+    const auto place = infos_[component].stays_in_place ? entity.index : r.row;
+    return cells == nullptr ? nullptr : cells + std::size_t{place} * infos_[component].size;
 }
 
 const void* World::single_bytes(std::uint32_t component) const {
     for (const auto& table : tables_) {
-        if (table->cells[component] != nullptr && table->rows > 0) return table->cells[component];
+        if (table->cells[component] != nullptr && table->rows > 0) {
+            return find_bytes(table->entities()[0], component);
+        }
     }
     return nullptr;
 }

@@ -17,6 +17,7 @@ struct Body : physics::BodyDesc {
 
 /// Position and motion after Bullet's last step. An entity whose Body was removed keeps its last Motion.
 struct Motion : physics::BodyState {
+    static constexpr bool stays_in_place = true;  // large, and things gain and lose a Body
     THAUM_COMPONENT(Motion, position, orientation, velocity, spin, idle_s, drowsy, asleep);
 };
 

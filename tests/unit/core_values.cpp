@@ -1,12 +1,14 @@
 // Tests of the small parts of core: hashes, random numbers, text, units, assertions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <limits>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -51,6 +53,19 @@ TEST(CoreHash, IsXxh3) {
 TEST(CoreHash, TheSeedMatters) {
     EXPECT_EQ(hash_bytes({}, 0x9e3779b185ebca8dU), 0xa8a6b918b2f0364aU);
     EXPECT_NE(hash_text("abc", 1), hash_text("abc", 2));
+}
+
+TEST(CoreHash, PiecesHashAsTheWhole) {
+    std::vector<std::byte> bytes(1500);
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i * 7);
+    const std::span<const std::byte> all = bytes;
+    for (std::size_t n = 0; n <= bytes.size(); n += 50) {
+        for (const std::size_t step : {1U, 16U, 120U, 1000U}) {
+            HashOfPieces hash;
+            for (std::size_t at = 0; at < n; at += step) hash.add(all.subspan(at, std::min(step, n - at)));
+            EXPECT_EQ(hash.value(), hash_bytes(all.first(n))) << n << " bytes by " << step;
+        }
+    }
 }
 
 TEST(CoreHash, EveryBitOfAValueMatters) {

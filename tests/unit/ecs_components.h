@@ -11,6 +11,7 @@ struct Position {
 
 struct Velocity {
     vec3 linear{};
+    static constexpr bool stays_in_place = true;
     THAUM_COMPONENT(Velocity, linear);
 };
 

@@ -15,7 +15,7 @@ namespace thaum::bench::things {
 struct Side {
     std::function<void()> setup;  ///< runs before each run; empty: runs can follow each other without it
     std::function<void()> run;
-    std::function<std::uint64_t()> result;  ///< hash of the data after the runs
+    std::function<std::uint64_t()> result;  ///< hash of the data; called once, after one run
 };
 
 struct Contest {

@@ -35,6 +35,7 @@ struct Motion {
     double idle_s{};
     std::uint32_t drowsy{};
     std::uint32_t asleep{};
+    static constexpr bool stays_in_place = game::Motion::stays_in_place;
     THAUM_COMPONENT(Motion, position, orientation, velocity, spin, idle_s, drowsy, asleep);
 };
 static_assert(sizeof(Motion) == sizeof(game::Motion));
