@@ -2,6 +2,7 @@
 // Meshes of the arena. Colours are linear. Variants:
 //   PER_PIXEL  the fragment shader computes light, fog and tone curve. Without PER_PIXEL this shader computes
 //              them for each vertex, so that a pixel costs almost nothing.
+//   LINEAR     without PER_PIXEL: the last pass applies the tone curve.
 //   SHADOW     the sun's light is kept apart, so that the shadow map can remove it.
 //   ALONE      one instance. A software rasteriser would fetch instance attributes again for each vertex.
 layout(location = 0) in vec3 position;
@@ -78,7 +79,14 @@ void main() {
 #else
     vec3 radiance = own + paint * matt * light_at(world.xyz, n, baked.a);
     float clear = exp2(-fog_rate * dot(from_eye, from_eye));
+#ifdef LINEAR
 #ifdef SHADOW
+    shade = mix(fog_colour, radiance, clear);
+    sunlight = sun * clear;
+#else
+    shade = mix(fog_colour, radiance + sun * (detail.x * instance_sun), clear);
+#endif
+#elif defined(SHADOW)
     // Shade without and with the sun, both after the tone curve. The shadow map blends between the two.
     shade = tone_mapped(mix(fog_colour, radiance, clear));
     sunlight = tone_mapped(mix(fog_colour, radiance + sun, clear)) - shade;

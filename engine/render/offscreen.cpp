@@ -68,8 +68,6 @@ EGLConfig choose_config(EGLDisplay display) {
                                  8,
                                  EGL_BLUE_SIZE,
                                  8,
-                                 EGL_DEPTH_SIZE,
-                                 24,
                                  EGL_NONE};
     std::array<EGLConfig, 64> configs{};
     EGLint count = 0;
@@ -78,7 +76,8 @@ EGLConfig choose_config(EGLDisplay display) {
         return nullptr;
     }
     // EGL sorts deeper colours first, but 10 bits take a software rasteriser twice as long as 8. With alpha
-    // the pixel layout is that of windows, so read_pixels only copies.
+    // the pixel layout is that of windows, so read_pixels only copies. Views have depth in a target of their
+    // own (Renderer): without depth here a software rasteriser copies rectangles fast.
     const auto has = [&](EGLConfig config, EGLint name, EGLint wanted_value) {
         EGLint value = 0;
         return eglGetConfigAttrib(display, config, name, &value) == EGL_TRUE && value == wanted_value;
@@ -86,7 +85,7 @@ EGLConfig choose_config(EGLDisplay display) {
     for (const EGLint alpha : {8, 0}) {
         const auto* const end = configs.data() + count;
         const auto* found = std::find_if(std::as_const(configs).data(), end, [&](EGLConfig c) {
-            return has(c, EGL_RED_SIZE, 8) && has(c, EGL_ALPHA_SIZE, alpha) && has(c, EGL_DEPTH_SIZE, 24) &&
+            return has(c, EGL_RED_SIZE, 8) && has(c, EGL_ALPHA_SIZE, alpha) && has(c, EGL_DEPTH_SIZE, 0) &&
                    has(c, EGL_STENCIL_SIZE, 0) && has(c, EGL_SAMPLES, 0);
         });
         if (found != end) return *found;
@@ -126,7 +125,7 @@ Expected<Offscreen> Offscreen::create(int width, int height) {
     state->display = open_display();
     if (state->display == EGL_NO_DISPLAY) return no_context("EGL does not start");
     EGLConfig config = choose_config(state->display);
-    if (config == nullptr) return no_context("EGL has no OpenGL pixel buffer with 24 bits of depth");
+    if (config == nullptr) return no_context("EGL has no OpenGL pixel buffer");
     state->context = create_context(state->display, config);
     if (state->context == EGL_NO_CONTEXT) return no_context("OpenGL 3.3 is not available through EGL");
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};

@@ -5,13 +5,18 @@
 //   medium     720 lines    8, each vertex    map, one bilinear tap    the same, twice: in sun and in shade
 //   high       the window's 8, each pixel     map, four taps           16-bit floats, tone mapped last, bloom
 //
+// At high, large fixed meshes (stone) have light at each pixel only near a light: elsewhere light changes so
+// little within a triangle that its vertices do.
+//
 // At low, detail finer than two pixels is left out: far stone is drawn without joints, and far meshes as
 // coarser copies. A volume is ray-marched in 7, 10 and 28 steps, at low and medium with a third of the view's
 // pixels along a side.
 //
 // `auto` is not a preset but a way to choose one. It starts from the device that draws (a processor or a
-// graphics card) and then follows measured times. It never alternates: a preset that proved too slow is not
-// tried again.
+// graphics card) and then follows measured times, so that 30 pictures a second are drawn if the device can.
+// It first lowers the resolution of the views, to 60 percent at least: medium at 60 percent takes as long as
+// low in full and is nearer to the best picture. It never alternates between presets: one that proved too
+// slow is not tried again.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -45,12 +50,19 @@ struct AutoQuality {
     Quality most = Quality::high;  ///< highest preset that has not proved too slow
     int frames{};                  ///< number of pictures since the last decision or change of size
     int slow{}, quick{};           ///< numbers of slow and of fast pictures among `frames`
+    /// Numbers of pictures among `frames` that a lower resolution would not make fast enough, and of those
+    /// that would stay fast enough at a higher one.
+    int hopeless{}, easy{};
+    /// Share of the preset's resolution along a side: 1, 0.8 or 0.6.
+    float resolution = 1;
 };
 
 /// Updates the state after a picture that took `frame_ms` to draw and present. After each decision it ignores
-/// 8 pictures and judges the next 60. It lowers the preset if more than half of them took longer than 1/30 s.
-/// It raises the preset if nearly all took less than 9 ms, since a preset costs up to three times as much as
-/// the one below.
+/// 8 pictures and judges the next 60. If more than half of them took longer than 1/30 s, it lowers the
+/// resolution; it lowers the preset if the resolution is lowest already, or if more than half took longer
+/// than 46 ms, which the lowest resolution would hardly bring below 1/30 s. It raises the resolution if
+/// nearly all took less than 20 ms. At full resolution it raises the preset if nearly all took less than
+/// 9 ms, since a preset costs up to three times as much as the one below.
 AutoQuality after_frame(AutoQuality state, double frame_ms);
 
 }  // namespace thaum::render

@@ -58,13 +58,6 @@ bool share_fog(const Frame& frame) {
 /// Converts y to count from the bottom of a target `height` px high, as in OpenGL.
 Rect from_below(const Rect& r, int height) { return {r.x, height - r.y - r.height, r.width, r.height}; }
 
-/// Stretches one view from the read framebuffer into the draw framebuffer.
-void stretch(const ViewPlace& view) {
-    const auto &from = view.drawn, &to = view.shown;
-    glBlitFramebuffer(from.x, from.y, from.x + from.width, from.y + from.height, to.x, to.y, to.x + to.width,
-                      to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-}
-
 /// The batches (draw calls) of one view; they begin at index `first` in the frame's Batches.
 struct ViewBatches {
     Sight sight;
@@ -100,13 +93,14 @@ struct Renderer::State {
     DrawStatistics statistics;
     PassClock clock;
     int drawn_width{}, drawn_height{};  // size that read_pixels reads (px)
+    const Target* drawn{};              // target of the views of the last draw; null before the first one
     bool cleared_to_fog{};              // true: this frame was cleared to the fog's colour
     SkyCells sky;                       // scratch memory, kept between frames
     std::vector<Hidden> hidden;         // regions that blocks hide from the view that collect_view works on
     std::vector<Instance> dipped;       // instances that are partly inside the brew (volume) of a view
 
     void draw_views(const Frame& frame);
-    const Target* begin_target(const Frame& frame, int width, int height);
+    const Target& begin_target(const Frame& frame, int width, int height);
     std::vector<ViewBatches> collect_views(const Frame& frame, float scale, int height);
     void collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its);
     void march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width, int height);
@@ -163,6 +157,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .clock = {},
                                                .drawn_width = 0,
                                                .drawn_height = 0,
+                                               .drawn = nullptr,
                                                .cleared_to_fog = false,
                                                .sky = {},
                                                .hidden = {},
@@ -249,6 +244,12 @@ fvec2 Renderer::measure(std::string_view text, float size) {
     return state_->overlay.font().measure(text, size);
 }
 
+std::vector<float> Renderer::read_depths() {
+    const auto& drawn = state_->drawn;
+    if (drawn == nullptr) return {};
+    return read_depths_of(drawn->framebuffer, drawn->width, drawn->height);
+}
+
 Image Renderer::read_pixels() { return read_back(state_->drawn_width, state_->drawn_height); }
 
 void Renderer::State::draw_views(const Frame& frame) {
@@ -260,8 +261,7 @@ void Renderer::State::draw_views(const Frame& frame) {
     clock.end(Pass::selection);
     march_volumes(frame, of_views, width, height);
     clock.end(Pass::volumes);
-    const Target* target = begin_target(frame, width, height);
-    const GLuint framebuffer = target == nullptr ? 0 : target->framebuffer.get();
+    const Target& target = begin_target(frame, width, height);
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         draw_view(frame.views[i], of_views[i], frame.quality, shadow, height);
         // After a flush, a software rasteriser fills this view on its threads while this thread processes the
@@ -271,22 +271,20 @@ void Renderer::State::draw_views(const Frame& frame) {
     clock.end(Pass::meshes);
     show_volumes(of_views, height);
     clock.end(Pass::volumes);
-    draw_scans(frame, of_views, framebuffer, height);
+    draw_scans(frame, of_views, target.framebuffer.get(), height);
     clock.end(Pass::scans);
     draw_mists(of_views, frame.quality == Quality::high ? programs.mist_of_light : programs.mist, height);
     clock.end(Pass::mists);
-    if (target != nullptr) show_views(frame, of_views, *target);
+    show_views(frame, of_views, target);
     clock.end(Pass::window);
 }
 
-/// Binds and clears the framebuffer into which the views are drawn. Returns its target; null if it is the
-/// window's own.
-const Target* Renderer::State::begin_target(const Frame& frame, int width, int height) {
-    const bool of_light = frame.quality == Quality::high,
-               straight = width == frame.width && height == frame.height && !of_light;
+/// Binds and clears the target into which the views are drawn, and returns it.
+const Target& Renderer::State::begin_target(const Frame& frame, int width, int height) {
+    const bool of_light = frame.quality == Quality::high;
     auto& target = of_light ? light : pixels;
-    if (!straight) resize(target, of_light ? GL_RGBA16F : GL_RGBA8, true, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, straight ? 0 : target.framebuffer.get());
+    resize(target, of_light ? GL_RGBA16F : GL_RGBA8, true, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glViewport(0, 0, width, height);
     glDepthMask(GL_TRUE);
     cleared_to_fog = share_fog(frame);
@@ -294,7 +292,8 @@ const Target* Renderer::State::begin_target(const Frame& frame, int width, int h
     const fvec3 behind = of_light ? fog : tone_mapped(fog);
     glClearColor(behind.r, behind.g, behind.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    return straight ? nullptr : &target;
+    drawn = &target;
+    return target;
 }
 
 /// Copies each view separately from the shared target to the window. Otherwise bright or stretched light
@@ -308,7 +307,6 @@ void Renderer::State::show_views(const Frame& frame, std::span<const ViewBatches
     }
     const bool of_light = frame.quality == Quality::high;
     blooms.resize(of_views.size());
-    if (!of_light) glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.get());
     for (std::size_t i = 0; i < of_views.size(); ++i) {
         const ViewPlace place{from_below(of_views[i].at, target.height),
                               from_below(frame.views[i].viewport, frame.height)};
@@ -317,9 +315,11 @@ void Renderer::State::show_views(const Frame& frame, std::span<const ViewBatches
             statistics.draws +=
                 compose(target, place, frame.bloom ? &blooms[i] : nullptr, programs, no_attributes);
         else
-            stretch(place);
+            show(target, place, programs.show, no_attributes);
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    // Without a flush the overlay would be drawn together with this, tile by tile. A software rasteriser
+    // takes its fast way only in tiles in which it draws nothing but rectangles.
+    glFlush();
 }
 
 std::vector<ViewBatches> Renderer::State::collect_views(const Frame& frame, float scale, int height) {
@@ -448,8 +448,12 @@ ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at,
         finest_px(quality) * 2 * std::tan(camera.fov_y / 2) / static_cast<float>(std::max(at.height, 1));
     hidden.clear();
     add_hidden(view.blocks, vec3(camera.position), hidden);
-    ViewBatches its{
-        .sight = {matrix, camera.position, pixel_angle, hidden}, .at = at, .first = batches.batches.size()};
+    // At other qualities all light is computed at the vertices.
+    const auto lights = quality == Quality::high ? view.lights.first(std::min(view.lights.size(), max_lights))
+                                                 : std::span<const PointLight>{};
+    ViewBatches its{.sight = {matrix, camera.position, pixel_angle, hidden, lights},
+                    .at = at,
+                    .first = batches.batches.size()};
     const MeshTables tables{mesh_bounds, mesh_levels};
     its.solid = collect(view.instances, tables, its.sight, batches);
     arrange(its.first, mesh_patches, its.sight, batches);
@@ -486,19 +490,30 @@ void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatc
 }
 
 /// Draws the patchworks (large fixed meshes in patches). From Quality::medium on, patches that no sun reaches
-/// have a program of their own, without a shadow map.
+/// have programs of their own, without a shadow map. At Quality::high only patches near a light have their
+/// light computed at each pixel.
 void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
                                  const ShadowView& shadow) {
+    const auto draw = [&](const MeshProgram& program, const ShadowView& map,
+                          IndexRange (*which)(const ChosenPatches&)) {
+        use_mesh_program(program, view, its.sight, quality, map);
+        draw_patchworks(program, its, which);
+    };
     const auto& program = programs.alone[static_cast<std::size_t>(quality)];
-    use_mesh_program(program, view, its.sight, quality, shadow);
     if (quality == Quality::low) {
-        draw_patchworks(program, its, [](const ChosenPatches& p) { return p.all(); });
-        return;
+        draw(program, shadow, [](const ChosenPatches& p) { return p.all(); });
+    } else if (quality == Quality::medium) {
+        draw(program, shadow, [](const ChosenPatches& p) { return p.sunlit; });
+        draw(programs.sunless, {}, [](const ChosenPatches& p) { return p.sunless; });
+    } else {
+        draw(program, shadow, [](const ChosenPatches& p) { return p.sunlit.first_of(p.near_light_sunlit); });
+        draw(programs.sunless_of_light, {},
+             [](const ChosenPatches& p) { return p.sunless.first_of(p.near_light_sunless); });
+        draw(programs.even_of_light, shadow,
+             [](const ChosenPatches& p) { return p.sunlit.after(p.near_light_sunlit); });
+        draw(programs.sunless_even_of_light, {},
+             [](const ChosenPatches& p) { return p.sunless.after(p.near_light_sunless); });
     }
-    draw_patchworks(program, its, [](const ChosenPatches& p) { return p.sunlit; });
-    const auto& sunless = quality == Quality::high ? programs.sunless_of_light : programs.sunless;
-    use_mesh_program(sunless, view, its.sight, quality, {});
-    draw_patchworks(sunless, its, [](const ChosenPatches& p) { return p.sunless; });
 }
 
 void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "render/font.h"
@@ -85,6 +86,10 @@ public:
 
     /// Returns the picture of the last draw. Must be called before present(), which may discard the picture.
     Image read_pixels();
+
+    /// Depths (0 to 1) that the last draw left in the target of its views, row by row from below. The window
+    /// has no depth.
+    std::vector<float> read_depths();
 
     /// Size of the box that this UTF-8 text fills in the overlay (px).
     fvec2 measure(std::string_view text, float size);

@@ -82,7 +82,9 @@ GLFWwindow* open_window(const WindowSpec& spec) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    // Views have depth in a target of their own (Renderer). In a window without depth a software rasteriser
+    // copies and stretches a picture several times as fast.
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     // By default, a full-screen window that loses the focus is minimised and the screen's mode changes. This
     // must not happen while another player uses the window, for example in a menu.

@@ -25,6 +25,7 @@ struct HudSettings {
     double fov = 90;
     double text_scale = 1;  ///< text size, 1 to 2.5
     render::Quality quality = render::Quality::medium;
+    float resolution = 1;        ///< factor of the quality's resolution, by which views are drawn smaller
     bool bloom = true;           ///< true: bright parts have a glow, at high quality only
     bool can_play_again = true;  ///< true: the result screen offers another match
     bool has_menu = true;  ///< true: leaving a match leads to the start screen; false: it ends the program

@@ -62,12 +62,14 @@ struct QualityChoice {
     render::AutoQuality found{};
     render::Size size{};
 
-    render::Quality now(std::optional<render::Quality> set, render::Size window) {
+    /// Sets quality and resolution of the next picture.
+    void apply(std::optional<render::Quality> set, render::Size window, HudSettings& hud) {
         // A window of another size needs another amount of work, so a quality that was too slow may be fast
         // enough now.
         if (window != size) found = {.current = size == render::Size{} ? first : found.current};
         size = window;
-        return set.value_or(found.current);
+        hud.quality = set.value_or(found.current);
+        hud.resolution = set ? 1 : found.resolution;
     }
 };
 
@@ -105,7 +107,7 @@ MenuPicture menu_of(const Screen& screen, const Picture& shown) {
 const render::Frame& frame_of(RenderState& state, const Screen& screen, render::Size size) {
     auto hud = screen.hud;
     const double speed = hud.replay ? hud.replay->speed : 1;
-    hud.quality = state.quality.now(screen.quality, size);
+    state.quality.apply(screen.quality, size, hud);
     hud.prompt_uses = state.buffer.prompt_uses;
     if (screen.frame_times) hud.frame_times = state.frame_times;
     if (screen.arena_scene)

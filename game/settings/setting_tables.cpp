@@ -70,7 +70,7 @@ std::vector<Setting> general_settings() {
          Number{&Settings::fov, 60, 130, 5, 1, "\u00B0"}},
         {"text_scale", "Text size", "Makes words and signs larger.",
          Number{&Settings::text_scale, 1, 2.5, 0.25, 100, " %"}},
-        {"quality", "Picture quality", "Draws finer pictures; auto takes what this computer draws in time.",
+        {"quality", "Picture quality", "Draws finer pictures; auto chooses what draws 30 pictures a second.",
          quality_setting()},
         {"bloom", "Bloom at high quality", "Lets bright light shine beyond its edges.",
          Flag{&Settings::bloom}},

@@ -37,10 +37,7 @@ protected:
     }
     /// Distances ahead of the eye, from the depth buffer of the last picture.
     std::vector<float> distances() const {
-        std::vector<float> depth(static_cast<std::size_t>(picture_side) * picture_side);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-        glPixelStorei(GL_PACK_ALIGNMENT, 4);
-        glReadPixels(0, 0, picture_side, picture_side, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+        auto depth = renderer->read_depths();
         const float near = 1 / camera.near_plane, far = 1 / camera.far_plane;
         for (auto& d : depth) d = 1 / (near - (near - far) * d);
         return depth;

@@ -62,6 +62,36 @@ TEST(AutoQuality, AQualityThatWasTooSlowIsNotTriedAgain) {
     EXPECT_EQ(s.current, Quality::low);
 }
 
+/// Time of a picture whose cost is half that of its pixels and half that of its triangles.
+double frame_ms_at(float resolution, double in_full_ms) {
+    return in_full_ms * (0.5 + 0.5 * static_cast<double>(resolution * resolution));
+}
+
+/// Draws pictures that take `in_full_ms` at full resolution.
+AutoQuality settled(AutoQuality state, double in_full_ms) {
+    for (int i = 0; i < 1000; ++i) state = after_frame(state, frame_ms_at(state.resolution, in_full_ms));
+    return state;
+}
+
+TEST(AutoQuality, LowersTheResolutionUntilPicturesAreInTime) {
+    for (const double ms : {34.0, 38.0, 42.0, 45.0}) {
+        const auto s = settled({.current = Quality::medium}, ms);
+        EXPECT_EQ(s.current, Quality::medium) << ms;
+        EXPECT_GE(s.resolution, 0.59F) << ms;
+        EXPECT_LT(frame_ms_at(s.resolution, ms), 1000.0 / 30) << ms;
+    }
+    const auto lowest = settled({.current = Quality::low}, 500);
+    EXPECT_NEAR(lowest.resolution, 0.6F, 1e-6F) << "never below 60 percent";
+}
+
+TEST(AutoQuality, TheResolutionReturnsWithTheTimeAndRests) {
+    const auto slow = settled({.current = Quality::medium}, 40);
+    ASSERT_LT(slow.resolution, 1);
+    EXPECT_FLOAT_EQ(settled(slow, 18).resolution, 1);
+    const auto before = slow.resolution;
+    EXPECT_FLOAT_EQ(settled(slow, 40).resolution, before) << "no alternation while the work stays the same";
+}
+
 TEST(AutoQuality, SwitchesRarelyForAnyTimes) {
     Random random = random_stream(5, 1);
     for (int run = 0; run < 50; ++run) {

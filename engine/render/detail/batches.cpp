@@ -99,8 +99,11 @@ void arrange(std::size_t first, std::span<const PatchTable> tables, const Sight&
         const auto& model = out.instances[batch.first].model;
         out.hidden.clear();
         for (const auto& hidden : world.hidden) out.hidden.push_back(moved(hidden, model));
-        const Sight own{world.to_clip * model, fvec3(glm::inverse(model) * fvec4(world.eye, 1)),
-                        world.pixel_angle, out.hidden};
+        const fmat4 from_world = glm::inverse(model);
+        out.lights.assign(world.lights.begin(), world.lights.end());
+        for (auto& light : out.lights) light.position = fvec3(from_world * fvec4(light.position, 1));
+        const Sight own{world.to_clip * model, fvec3(from_world * fvec4(world.eye, 1)), world.pixel_angle,
+                        out.hidden, out.lights};
         batch.patches = choose_patches(table, own, out.order, out.patch_indices);
         batch.distance = far_off;
     }

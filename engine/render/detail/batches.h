@@ -46,6 +46,7 @@ struct Batches {
     std::vector<std::pair<MeshId, std::uint32_t>> seen;
     PatchOrder order;
     std::vector<Hidden> hidden;
+    std::vector<PointLight> lights;
 
     void clear();
 };

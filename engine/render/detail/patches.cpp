@@ -26,6 +26,16 @@ fvec3 across(const MeshData& mesh, std::size_t first) {
     return glm::cross(at(1) - at(0), at(2) - at(0));
 }
 
+float longest_edge(const MeshData& mesh) {
+    float longest = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        longest = std::max(longest, glm::distance(mesh.vertices[mesh.indices[i]].position,
+                                                  mesh.vertices[mesh.indices[next]].position));
+    }
+    return longest;
+}
+
 /// Fits a cone that contains all normals and whose apex is behind every triangle. No front face is visible
 /// from the places in a second cone, at the other side of the apex (Shirman and Abi-Ezzi 1993).
 void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
@@ -72,13 +82,22 @@ bool shows_backs(const PlacedPatch& patch, fvec3 eye) {
 /// Returns true if the patch is behind other patches of the same large mesh.
 bool is_behind(const PlacedPatch& patch) { return patch.full.count == 0; }
 
-IndexRange append_chosen(const PatchTable& table, const Sight& sight, const PatchOrder& order, bool sunless,
-                         std::vector<std::uint32_t>& out) {
+/// Returns true if a light reaches the patch and is so near that its light at the corners of a triangle does
+/// not tell that between them.
+bool is_near_light(const PlacedPatch& patch, std::span<const PointLight> lights) {
+    constexpr float edges_away = 0.5F;
+    return std::any_of(lights.begin(), lights.end(), [&](const PointLight& light) {
+        const fvec3 beyond = glm::max(glm::abs(light.position - patch.bounds.centre) - patch.half, 0.0F);
+        return glm::length(beyond) < std::min(light.radius, edges_away * patch.longest_edge);
+    });
+}
+
+void append_chosen(const PatchTable& table, const Sight& sight, const PatchOrder& order, bool sunless,
+                   bool near_light, std::vector<std::uint32_t>& out) {
     const float gone = fading_of(sight.pixel_angle).gone;
-    const auto before = out.size();
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
-        if (patch.sunless != sunless) continue;
+        if (patch.sunless != sunless || is_near_light(patch, sight.lights) != near_light) continue;
         // The plain form of a patch (piece of a large mesh) lacks fine detail. The distance of a patch's
         // nearest point decides whether the plain form is drawn. A patch behind others may show as soon as
         // the farthest of those is drawn in its plain form, so its own farthest point decides.
@@ -89,7 +108,6 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
         const auto first = table.indices.begin() + range.first;
         out.insert(out.end(), first, first + range.count);
     }
-    return {static_cast<std::uint32_t>(before), static_cast<std::uint32_t>(out.size() - before)};
 }
 
 }  // namespace
@@ -116,6 +134,7 @@ JoinedPatches joined(const Patchwork& patchwork) {
                            .half = half_of(shown),
                            .detail = patch.detail,
                            .sunless = patch.sunless};
+        placed.longest_edge = std::max(longest_edge(patch.full), longest_edge(patch.plain));
         fit_cone(shown, placed);
         placed.full = append_part(patch.full, out);
         out.table.patches.push_back(placed);
@@ -143,9 +162,16 @@ ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchO
         near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + beyond, i);
     }
     std::sort(near_first.begin(), near_first.end());
+    const auto append = [&](bool sunless, std::uint32_t& near_light) {
+        const auto first = static_cast<std::uint32_t>(out.size());
+        append_chosen(table, sight, order, sunless, true, out);
+        near_light = static_cast<std::uint32_t>(out.size()) - first;
+        append_chosen(table, sight, order, sunless, false, out);
+        return IndexRange{first, static_cast<std::uint32_t>(out.size()) - first};
+    };
     ChosenPatches chosen;
-    chosen.sunlit = append_chosen(table, sight, order, false, out);
-    chosen.sunless = append_chosen(table, sight, order, true, out);
+    chosen.sunlit = append(false, chosen.near_light_sunlit);
+    chosen.sunless = append(true, chosen.near_light_sunless);
     return chosen;
 }
 

@@ -18,16 +18,23 @@ struct Sight {
     /// pixels at low quality.
     float pixel_angle{};
     std::span<const Hidden> hidden{};
+    /// Lights near which patches need light at each pixel instead of each vertex; none if no patch does.
+    std::span<const PointLight> lights{};
 };
 
 struct IndexRange {
     std::uint32_t first{}, count{};
+    IndexRange first_of(std::uint32_t n) const { return {first, n}; }           ///< the first n indices
+    IndexRange after(std::uint32_t n) const { return {first + n, count - n}; }  ///< all but the first n
 };
 
 /// The patches of a large mesh that a view sees: first those that the sun may reach, directly followed by the
 /// others.
 struct ChosenPatches {
     IndexRange sunlit{}, sunless{};
+    /// Numbers of indices at the beginning of `sunlit` and of `sunless` that belong to patches near a light,
+    /// where light changes much between the corners of a triangle.
+    std::uint32_t near_light_sunlit{}, near_light_sunless{};
     IndexRange all() const { return {sunlit.first, sunlit.count + sunless.count}; }
 };
 
@@ -41,6 +48,7 @@ struct PlacedPatch {
     float backs = 2;
     float detail{};  ///< size of the detail that the plain form of the patch lacks (m)
     bool sunless{};
+    float longest_edge{};  ///< length of the longest edge of a triangle (m)
     /// Ranges in PatchTable::indices of the full and the plain form of the patch; the plain one may be empty.
     IndexRange full{}, plain{};
 };

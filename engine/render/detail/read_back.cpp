@@ -56,4 +56,13 @@ Image read_back(int picture_width, int picture_height) {
     return image;
 }
 
+std::vector<float> read_depths_of(const Framebuffer& from, int width, int height) {
+    std::vector<float> depths(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.get());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return depths;
+}
+
 }  // namespace thaum::render::detail

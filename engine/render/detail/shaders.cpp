@@ -151,6 +151,9 @@ Expected<Programs> load_programs(const Folder& shaders) {
     // Like the program for Quality::low, which has no shadow map, but with all lights.
     loading.take(load_mesh_program(shaders, Quality::low, alone({})), out.sunless);
     loading.take(load_mesh_program(shaders, Quality::high, alone({"PER_PIXEL"})), out.sunless_of_light);
+    loading.take(load_mesh_program(shaders, Quality::medium, alone({"SHADOW", "SOFT", "LINEAR"})),
+                 out.even_of_light);
+    loading.take(load_mesh_program(shaders, Quality::low, alone({"LINEAR"})), out.sunless_even_of_light);
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);
     loading.take(load_mist_program(shaders, {}), out.mist);
@@ -162,6 +165,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
     small({shaders / "shade.vert", shaders / "flat.frag"}, "view_projection", out.shade);
     small({shaders / "screen.vert", shaders / "bright.frag"}, "texel", out.bright);
     small({shaders / "screen.vert", shaders / "blur.frag"}, "way", out.blur);
+    small({shaders / "show.vert", shaders / "show.frag"}, "", out.show);
     small({shaders / "screen.vert", shaders / "compose.frag", shaders / "tone.glsl"}, "bloom_strength",
           out.compose);
     small({shaders / "overlay.vert", shaders / "overlay.frag"}, "pixel", out.overlay);

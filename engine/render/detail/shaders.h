@@ -46,6 +46,9 @@ struct Programs {
     std::array<MeshProgram, qualities> alone;
     /// Programs for a single instance that the sun never reaches, at Quality::medium and at Quality::high.
     MeshProgram sunless, sunless_of_light;
+    /// Programs for Quality::high and a single instance whose light changes little between vertices, where it
+    /// is computed. The sun never reaches the second.
+    MeshProgram even_of_light, sunless_even_of_light;
     /// Programs for the sky: one writes tone-mapped pixels, the other linear light, which the last pass
     /// converts.
     SkyProgram sky, sky_of_light;
@@ -58,6 +61,7 @@ struct Programs {
     /// Bloom: `bright` extracts bright light (parameter: texel), `blur` blurs along one axis (parameter:
     /// way).
     SmallProgram bright, blur;
+    SmallProgram show;     ///< brings a view into the window as it is
     SmallProgram compose;  ///< converts light to pixels, with bloom (parameter: bloom_strength)
     /// Overlay: `overlay` draws text, `shape` all other items (parameter: pixel).
     SmallProgram overlay, shape;

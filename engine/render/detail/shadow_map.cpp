@@ -22,11 +22,10 @@ Texture make_depth_texture() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    // Outside the shadow map everything is in the sun.
-    constexpr GLfloat lit[] = {1, 1, 1, 1};
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
+    // Outside the shadow map everything is in the sun: the texels at its edge stay clear (prepare_drawing). A
+    // software rasteriser takes longer with GL_CLAMP_TO_BORDER.
+    for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     return texture;
 }
 
@@ -63,6 +62,8 @@ bool same_place(const Instance& a, const Instance& b) { return a.mesh == b.mesh 
 /// Sets the OpenGL state for drawing shadow casters. finish_drawing() restores what other code expects.
 void prepare_drawing() {
     glViewport(0, 0, side, side);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(1, 1, side - 2, side - 2);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
@@ -76,8 +77,16 @@ void prepare_drawing() {
 }
 
 void finish_drawing() {
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+/// Clears the whole map, with its edge.
+void clear_all() {
+    glDisable(GL_SCISSOR_TEST);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_SCISSOR_TEST);
 }
 
 void copy_depth(GLint x0, GLint y0, GLint x1, GLint y1) {
@@ -173,8 +182,10 @@ ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
     prepare_drawing();
     Counts counts;
     if (anew) {
+        glBindFramebuffer(GL_FRAMEBUFFER, all_target_.get());
+        clear_all();
         glBindFramebuffer(GL_FRAMEBUFFER, fixed_target_.get());
-        glClear(GL_DEPTH_BUFFER_BIT);
+        clear_all();
         counts = draw(casters.fixed, meshes, mesh_bounds, program);
         left_.assign(1, {0, 0, side, side});
         fixed_key_ = key;

@@ -73,19 +73,36 @@ void resize(Target& target, GLint format, bool with_depth, int width, int height
     target = {make_framebuffer(), make_texture(), make_renderbuffer(), width, height};
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glBindTexture(GL_TEXTURE_2D, target.colour.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA,
-                 format == GL_RGBA16F ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    if (format == GL_RGBA16F)
+        glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
+    else  // the layout of windows; a software rasteriser copies and stretches pictures of this layout fastest
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                     nullptr);
     filter_bound(GL_LINEAR);
     for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}})
         glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colour.get(), 0);
     if (with_depth) {
         glBindRenderbuffer(GL_RENDERBUFFER, target.depth.get());
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+        // A software rasteriser computes with floats, so it converts nothing here.
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.get());
     }
     THAUM_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
                  text("no framebuffer of ", width, " x ", height));
+}
+
+void show(const Target& pixels, const ViewPlace& view, const SmallProgram& program,
+          const VertexArray& no_attributes) {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glBindVertexArray(no_attributes.get());
+    glViewport(view.shown.x, view.shown.y, view.shown.width, view.shown.height);
+    glUseProgram(program.program.get());
+    set_part(program, pixels, view.drawn);
+    bind(picture_unit, pixels.colour);
+    glDrawArrays(GL_TRIANGLES, 0, 6);
 }
 
 std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, const Programs& programs,

@@ -27,6 +27,10 @@ struct ViewPlace {
     Rect drawn, shown;
 };
 
+/// Brings one view's pixels into the window, stretched if the sizes differ.
+void show(const Target& pixels, const ViewPlace& view, const SmallProgram& program,
+          const VertexArray& no_attributes);
+
 /// Converts one view's light to the window's pixels. No light spreads to another view. A null `bloom` means
 /// no bloom. Returns the number of draw calls.
 std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, const Programs& programs,
