@@ -25,7 +25,8 @@
 //
 //     static constexpr bool stays_in_place = true;
 //
-// Its values then lie by the numbers of the entities, outside the tables (ecs/table.h). Nothing else changes.
+// Its values then lie by the numbers of the entities, outside the tables (ecs/table.h). A reference to one is
+// valid until the next entity of any kind is created, or room is reserved.
 //
 // ecs/resource.h has values that systems share outside the World's state.
 #pragma once

@@ -40,7 +40,8 @@ inline constexpr std::uint32_t none = 0xffffffffU;
 /// Memory for tables (arrays of all entities that have the same components), for edges (links between two
 /// tables) and for queries (the tables that match one kind of view). It is allocated in one piece and is
 /// released with the World or by a restore. A table that first appears in the middle of a match, as when a
-/// wizard dies holding a new wand, then needs no allocation.
+/// wizard dies holding a new wand, then needs no allocation, unless it is the first with a component
+/// that stays in place.
 using TableMemory = std::pmr::monotonic_buffer_resource;
 inline constexpr std::size_t table_memory_bytes = std::size_t{4} << 20U;
 

@@ -48,6 +48,7 @@ public:
     void declare();
     /// Reserves memory for `count` entities. The main loop then need not allocate.
     void reserve_entities(std::uint32_t count) {
+        assert_unlocked(none);
         records_.reserve(count);
         make_places(count);
     }
@@ -507,12 +508,10 @@ template <Component C>
     check_write(c);
     if constexpr (Tag<C>) {
         mark(entity, c);
-    } else if constexpr (StaysInPlace<C>) {
-        reinterpret_cast<C*>(extend(entity, c).array)[entity.index] = component;
     } else {
         const C value = component;  // a copy, since the argument may be in a table that changes now
         const auto [array, row] = extend(entity, c);
-        reinterpret_cast<C*>(array)[row] = value;
+        reinterpret_cast<C*>(array)[place_of<C>(entity, row)] = value;
     }
     ++counts_[c];
     added(c, entity);

@@ -345,7 +345,7 @@ double energy_to_take_out(const PassivityObserver& observer, double held) {
 /// in a tick reads as a velocity, and damping turns it into a force. A force above `max_of_a_count` would
 /// shake a tip that hardly moves. In a faster motion one count matters less, so the damping may be larger.
 double controller_damping(const Servo& servo, vec3 velocity) {
-    constexpr double max_of_a_count = 0.28;  // largest force that one count may cause (N)
+    constexpr double max_of_a_count = 0.28;  // largest force by one encoder count (N)
     if (!(servo.quantum > 0)) return servo.max_damping;
     const double of_a_count = servo.quantum / tick_seconds;
     const double counts = std::max(1.0, glm::length(velocity) / (2 * of_a_count));
@@ -374,8 +374,8 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
 /// third of the time of the step.
 double work_beside_fade(const Servo& servo, const ServoState& state, const Tip& tip) {
     const SafetyState& safety = state.safety;
-    const bool may_fade = safety.fade != static_cast<std::uint32_t>(Fade::over) || tip.jumps ||
-                          state.energy.unsettled != 0 || servo.limits.cap != safety.cap;
+    const bool may_fade = safety.fade != static_cast<std::uint32_t>(Fade::over) || safety.gate_open == 0 ||
+                          tip.jumps || state.energy.unsettled != 0 || servo.limits.cap != safety.cap;
     if (!may_fade || servo.latency == 0) return 0;
     return pending_work(state.energy, tip_motion(state, servo.quantum), servo.latency);
 }

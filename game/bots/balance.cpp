@@ -6,14 +6,16 @@
 
 namespace thaum::game::inline bots {
 
-void BalanceCounter::begin_round(Tick played) { *this = {}, last_kill_ = played; }
-
 bool BalanceCounter::use(std::uint32_t player, Magic source) {
     if (player >= players) return false;
     return count_.used[player][static_cast<std::size_t>(source)] = true;
 }
 
 void BalanceCounter::note(const Event& event) {
+    if (event.kind == EventKind::round_begin) {
+        *this = {};
+        last_kill_ = event.tick;
+    }
     if (event.subject >= players) return;
     Enchantment& own = acting_[event.subject];
     switch (event.kind) {
@@ -33,8 +35,6 @@ void BalanceCounter::note(const Event& event) {
             return;
         case EventKind::lens: own.lens = true; return;
         case EventKind::lens_lost: own.lens = false; return;
-        case EventKind::work_begun: own.great_work = true; return;
-        case EventKind::work_broken: own.great_work = false; return;
         default:
             if (!info_of(event.kind).cause.empty()) note_blow(event);
     }
@@ -45,13 +45,13 @@ void BalanceCounter::note_blow(const Event& blow) {
     bool magic = false;
     const Enchantment& victim = acting_[blow.subject];
     if (blow.tick < victim.potion_until) use(blow.subject, Magic::pot);
-    if (blow.by < players && blow.by != blow.subject) {
-        const Enchantment& striker = acting_[blow.by];
-        if (from_pot || blow.tick < striker.potion_until) magic = use(blow.by, Magic::pot);
-        if (blow.tick < std::max(striker.spell_until, victim.pushed_until))
-            magic = use(blow.by, Magic::spells);
-        if (striker.lens) magic = use(blow.by, Magic::crystal);
-        magic |= striker.great_work;
+    // A fall is nobody's blow, but after a push it is the pusher's.
+    const auto by = blow.by >= players && blow.tick < victim.pushed_until ? 1 - blow.subject : blow.by;
+    if (by < players && by != blow.subject) {
+        const Enchantment& striker = acting_[by];
+        if (from_pot || blow.tick < striker.potion_until) magic = use(by, Magic::pot);
+        if (blow.tick < std::max(striker.spell_until, victim.pushed_until)) magic = use(by, Magic::spells);
+        if (striker.lens) magic = use(by, Magic::crystal);
     }
     auto& harms = harms_[blow.subject];
     harms.push_back({blow.amount, magic});
@@ -63,7 +63,6 @@ void BalanceCounter::note_blow(const Event& blow) {
 }
 
 void BalanceCounter::note_death(const Event& death) {
-    if (death.subject >= players) return;
     auto& harms = harms_[death.subject];
     double left = judged_health, by_magic = 0;
     for (auto harm = harms.rbegin(); harm != harms.rend(); ++harm) {
@@ -74,12 +73,15 @@ void BalanceCounter::note_death(const Event& death) {
     const bool magic = by_magic > 0 && 2 * by_magic >= judged_health - left;
     harms.clear();
     acting_[death.subject] = {};
-    if (death.by >= players || death.by == death.subject) return;
-    count_.kills.push_back({death.tick - last_kill_, magic});
-    last_kill_ = death.tick;
-    ++kills_[death.by];
-    if (kills_[0] == kills_[1]) return;
-    const std::uint32_t ahead_now = kills_[0] > kills_[1] ? 0 : 1;
+    if (death.by < players && death.by != death.subject) {
+        count_.kills.push_back({death.tick - last_kill_, magic});
+        last_kill_ = death.tick;
+        ++score_[death.by];
+    } else {
+        --score_[death.subject];
+    }
+    if (score_[0] == score_[1]) return;
+    const std::uint32_t ahead_now = score_[0] > score_[1] ? 0 : 1;
     if (leader_ != no_player && leader_ != ahead_now) ++count_.lead_changes;
     leader_ = ahead_now;
 }

@@ -16,8 +16,8 @@ inline constexpr std::size_t magic_sources = magic_names.size();
 
 /// Health that a victim lost last before dying (HP), by which a kill is judged.
 inline constexpr double judged_health = 30;
-/// Time after casting a spell, and after being pushed by one, for which blows count as under a spell: the
-/// length of the spells Shield and Fog, and of a flight (ticks).
+/// Time after casting a spell, and after being pushed by one, for which blows count as under a spell (ticks):
+/// as long as the spells Shield and Fog last as they are shipped, and as a push may throw a wizard.
 inline constexpr Tick spell_acts = ticks(6), push_acts = ticks(2);
 
 struct KillCount {
@@ -27,20 +27,21 @@ struct KillCount {
 
 /// What was counted in one round.
 struct RoundCount {
-    /// Whether each player used each source. A source is used if its effect changed health, or if a blow fell
-    /// while it acted on one of the two wizards.
+    /// Whether each player used each source: whether it healed the player, held off a blow or pushed the foe,
+    /// or a blow fell while it acted for the player who struck, or a potion for the player who was struck.
     std::array<std::array<bool, magic_sources>, 2> used{};
-    std::vector<KillCount> kills;  ///< only kills of the other player
-    std::uint32_t lead_changes{};  ///< how often the other player came to have more kills
+    std::vector<KillCount> kills;  ///< only deaths that are credited to the other player
+    /// How often the other player came to have more kills. A death of one's own making takes one away, as in
+    /// the score.
+    std::uint32_t lead_changes{};
 };
 
-/// Counts the rounds of one match from its events, in the order of their ticks.
+/// Counts the rounds of one match from its events, in the order of their ticks. The first round begins at tick
+/// 0 of play, each other one with its event.
 class BalanceCounter {
 public:
-    /// Begins a round at this tick of play: no potion, spell or reward acts.
-    void begin_round(Tick played);
     void note(const Event& event);
-    /// What has been counted since the last begin_round().
+    /// What has been counted since the present round began.
     const RoundCount& round() const { return count_; }
 
 private:
@@ -51,7 +52,7 @@ private:
     /// Magic that acts on a wizard, or that the wizard holds.
     struct Enchantment {
         Tick potion_until{}, spell_until{}, pushed_until{};
-        bool lens{}, great_work{};
+        bool lens{};  // also true while the Great Work goes on, since that needs the Lens
     };
 
     bool use(std::uint32_t player, Magic source);
@@ -60,7 +61,7 @@ private:
 
     RoundCount count_;
     Tick last_kill_{};
-    std::array<std::uint32_t, 2> kills_{};
+    std::array<int, 2> score_{};
     std::uint32_t leader_{no_player};
     std::array<Enchantment, 2> acting_{};
     std::array<std::vector<Harm>, 2> harms_{};  // what each wizard lost last, the newest at the end

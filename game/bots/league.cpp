@@ -108,11 +108,8 @@ Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
     LeagueMatch result{.levels = {levels[0], levels[1]}, .seed = seed};
     BalanceCounter counter;
     std::uint64_t seen = 0;
-    bool in_round = false;
     while (match.match().phase != Phase::over) {
         const bool played = match.match().phase == Phase::playing;
-        if (played && !in_round) counter.begin_round(match.match().played);
-        in_round = played;
         duel->match->tick(duel->next_frame());
         match.events().each_new(seen, [&](const Event& event) { counter.note(event); });
         if (!played) continue;

@@ -1,6 +1,7 @@
 // game/bots/league.h: matches between bots of different levels, and a summary of many such matches.
 #pragma once
 #include <span>
+#include <type_traits>
 
 #include "game/bots/balance.h"
 #include "game/bots/duel.h"
@@ -11,7 +12,8 @@ namespace thaum::game::inline bots {
 /// Largest number of rounds in a result; the rules of a match allow no more (data/rules.cpp).
 inline constexpr std::size_t max_rounds = 99;
 
-/// Largest number of kills of a match whose waits are kept. Matches have at most 27, unless a rule is changed.
+/// Largest number of times between kills that are kept of a match; later ones are not counted. A match of the
+/// shipped rules has about 30 kills at most.
 inline constexpr std::size_t kept_waits = 64;
 
 /// What the rounds of one match, or of many, say of their balance.
@@ -41,6 +43,8 @@ struct LeagueMatch {
     std::uint32_t waits{};                         ///< number of values in `between_kills`
     std::array<Tick, kept_waits> between_kills{};  ///< times between two kills of a round (ticks)
 };
+
+static_assert(std::is_trivially_copyable_v<LeagueMatch>);
 
 /// Plays a match of two bots. The error is one line: a level that does not exist, or a fault in its file.
 Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,

@@ -152,6 +152,41 @@ TEST(DrawnBody, BesideAThinEdgeOnAFaceOfTheBoxNothingIsFelt) {
     }
 }
 
+// The plane of a fast hand may lag farther than the reach of the search. Some of these hands would then be let
+// go of within the body.
+TEST(DrawnBody, AFastHandStaysInABodyOfThickSlices) {
+    const Body body({24, 24, 8}, {fine, fine, 3 * fine}, ball_at({0, 0.004, 0.01}, 0.009, fine));
+    const SmoothGrid felt = body.felt();
+    Random random{1000};
+    const auto anywhere = [&](vec3 reach) {
+        return reach * vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    };
+    for (int drawn = 0; drawn < 900;) {
+        const vec3 from = anywhere(body.half() + vec3(4 * fine)), to = from + anywhere(vec3(4 * fine));
+        if (body.is_drawn(from) || !body.is_drawn(to) || !body.is_drawn(glm::mix(from, to, 0.97))) continue;
+        auto hand = hand_on(felt);
+        EXPECT_GT(glm::length(pushed(hand, from, to, 40)), 1e-9) << drawn;
+        ++drawn;
+    }
+}
+
+TEST(DrawnBody, AMagnetHoldsAHandThatSlidesFastAcrossSamples) {
+    const Body floor({48, 12, 12}, vec3(fine), [](vec3 p) { return 0.5 - 0.5 * p.y / fine; });
+    const SmoothGrid felt = floor.felt();
+    ModeUse use{find_mode("isosurface"), any_field(field_of<Scalar>(felt)), {}};
+    use.settings.strength = field::constant(50);
+    use.settings.level = level;
+    use.settings.reach = 2 * fine;
+    use.settings.magnet = 1;
+    TouchedModes hand{{use}, stiffness};
+    pushed(hand, {-0.015, -0.0005, 0}, {-0.015, 0.0003, 0}, 100);
+    // A step of a sample and a half in a tick, at a height at which the magnet holds
+    for (int t = 1; t <= 15; ++t) {
+        const vec3 force = hand.move({-0.015 + 0.0015 * t, 0.0003, 0});
+        EXPECT_LT(force.y, -0.1) << t;
+    }
+}
+
 TEST(DrawnBody, ASheetOfOneSampleIsFeltInEveryDirection) {
     Random random{3};
     for (int i = 0; i < 40; ++i) {

@@ -11,7 +11,8 @@ namespace {
 struct Round {
     BalanceCounter counter{};
 
-    Round() { counter.begin_round(1000); }
+    Round() { begins(1000); }
+    void begins(Tick tick) { happens(tick, EventKind::round_begin, no_player, no_player); }
     void happens(Tick tick, EventKind kind, std::uint32_t subject, std::uint32_t by, double amount = 0) {
         counter.note({.tick = tick, .kind = kind, .subject = subject, .by = by, .amount = amount});
     }
@@ -70,8 +71,10 @@ TEST(Balance, SpellsActForATimeAndAWizardWhoIsPushedFallsUnderThem) {
     round.blow(2000 + spell_acts, 40);
     EXPECT_FALSE(round.kills(2000 + spell_acts));
     round.happens(20'000, EventKind::pushed, 1, 0, 8);
-    round.happens(20'000 + push_acts - 1, EventKind::fall, 1, 0, 40);
-    EXPECT_TRUE(round.kills(20'000 + push_acts));
+    round.happens(20'000 + push_acts - 1, EventKind::fall, 1, no_player, 40);
+    EXPECT_TRUE(round.kills(20'000 + push_acts)) << "nobody's blow, but the pusher's deed";
+    round.happens(30'000, EventKind::fall, 1, no_player, 40);
+    EXPECT_FALSE(round.kills(30'000)) << "long after the push";
 }
 
 TEST(Balance, EachSourceIsUsedByThePlayerWhoHasItsEffect) {
@@ -106,7 +109,12 @@ TEST(Balance, TheLeadChangesWhenTheOtherPlayerComesToHaveMore) {
         round.kills(1500, by);
     }
     EXPECT_EQ(round.counter.round().lead_changes, 2U);
-    round.counter.begin_round(9000);
+    // From 3 : 2, a death of one's own making makes it 2 : 2, and the foe's next kill gives the lead away.
+    round.happens(1600, EventKind::death, 0, no_player);
+    EXPECT_EQ(round.counter.round().lead_changes, 2U);
+    round.kills(1700, 1);
+    EXPECT_EQ(round.counter.round().lead_changes, 3U);
+    round.begins(9000);
     EXPECT_EQ(round.counter.round().lead_changes, 0U);
     EXPECT_TRUE(round.counter.round().kills.empty());
 }

@@ -431,6 +431,11 @@ TEST(League, TheResultOfAMatchIsReported) {
     EXPECT_EQ(first->rounds, 1U);
     EXPECT_LE(first->lengths[0], ticks(20.01));
     EXPECT_EQ(first->lengths, second->lengths);
+    EXPECT_EQ(first->first_kills, second->first_kills);
+    std::uint32_t kills = 0;
+    for (const auto& player : first->match_stats)
+        for (const auto& cause : player) kills += cause.kills;
+    EXPECT_EQ(first->balance.kills, kills);
     for (std::uint32_t p = 0; p < players; ++p) {
         EXPECT_EQ(first->match_stats[p][0].shots, second->match_stats[p][0].shots);
         EXPECT_GT(first->alive[p], ticks(10.0));
@@ -453,12 +458,25 @@ TEST(League, TheSummaryCountsBySidesAndLevels) {
     matches[0].match_stats[1][0] = {.shots = 10, .hits = 5, .kills = 3};
     matches[1].match_stats[0][0] = {.shots = 10, .hits = 1, .kills = 1};
     matches[1].match_stats[1][2] = {.own_deaths = 2};
+    matches[0].balance = {.rounds_with = {1, 0, 0, 1}, .kills = 3, .magic_kills = 2, .for_nobody = 1};
+    matches[1].balance = {.rounds_with = {2, 1, 0, 0}, .kills = 1, .lead_changes = 4, .by_great_work = 1};
+    matches[0].first_kills[0] = ticks(40.0), matches[1].first_kills[1] = ticks(20.0);
+    matches[0].waits = 2, matches[0].between_kills[0] = ticks(30.0),
+    matches[0].between_kills[1] = ticks(10.0);
     const auto fall = cause_of(EventKind::fall);
     matches[2].match_stats[0][fall] = {.kills = 1};
     matches[2].match_stats[1][fall] = {.own_deaths = 1};
     matches[0].alive = {ticks(100.0), ticks(80.0)};
     matches[0].dry = {ticks(10.0), ticks(20.0)};
     const auto s = summarise(matches);
+    EXPECT_EQ(s.balance.rounds_with, (std::array<std::uint32_t, magic_sources>{3, 1, 0, 1}));
+    EXPECT_EQ(s.balance.kills, 4U);
+    EXPECT_EQ(s.balance.magic_kills, 2U);
+    EXPECT_EQ(s.balance.lead_changes, 4U);
+    EXPECT_EQ(s.balance.by_great_work, 1U);
+    EXPECT_EQ(s.balance.for_nobody, 1U);
+    EXPECT_EQ(s.first_kill_s, (std::vector{20.0, 40.0})) << "rounds without a kill are left out";
+    EXPECT_EQ(s.between_kills_s, (std::vector{10.0, 30.0}));
     ASSERT_EQ(s.pairs.size(), 1U);
     EXPECT_EQ(s.pairs[0].high_wins, 2U);
     EXPECT_EQ(s.pairs[0].low_wins, 1U);

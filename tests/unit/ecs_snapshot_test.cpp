@@ -67,6 +67,23 @@ TEST_F(EcsSnapshot, ARestoredWorldGoesOnTheSameWay) {
     EXPECT_EQ(a, b);
 }
 
+// So many values that stay in place need memory of the system, which grows twice here.
+TEST_F(EcsSnapshot, ManyValuesThatStayInPlaceAreKeptAndRestored) {
+    const auto velocity_of = [](std::uint32_t i) { return Velocity{{0.5 * i, 1, i}}; };
+    std::vector<Entity> entities;
+    for (std::uint32_t i = 0; i < 9000; ++i) entities.push_back(world.create(velocity_of(i)));
+    for (std::uint32_t i = 0; i < 9000; i += 3) world.add(entities[i], Position{});
+    for (std::uint32_t i = 0; i < 9000; i += 7) world.destroy(entities[i]);
+    save(world, bytes);
+    ASSERT_TRUE(restore(copy, bytes).has_value());
+    EXPECT_EQ(state_hash(copy), state_hash(world));
+    for (std::uint32_t i = 0; i < 9000; ++i) {
+        if (i % 7 == 0) continue;
+        ASSERT_EQ(world.get<Velocity>(entities[i]).linear, velocity_of(i).linear) << i;
+        ASSERT_EQ(copy.get<Velocity>(entities[i]).linear, velocity_of(i).linear) << i;
+    }
+}
+
 TEST_F(EcsSnapshot, TheHashSeesOneBitAndTheOrder) {
     fill(world, 100);
     const auto before = state_hash(world);

@@ -176,13 +176,15 @@ TEST_F(EcsWorld, AViewStaysGoodWhileViewsThatWereNeverUsedBeforeStartInsideIt) {
 }
 
 TEST_F(EcsWorld, AComponentMayBeCopiedFromTheTableThatGrowsForIt) {
-    const Entity first = world.create(Position{{1, 2, 3}}, Health{4, 0});
+    const Entity first = world.create(Position{{1, 2, 3}}, Health{4, 0}, Velocity{{6, 7, 8}});
     for (int i = 0; i < 200; ++i) {
         const Entity e = world.create(world.get<Position>(first), world.get<Health>(first));
         ASSERT_EQ(world.get<Position>(e).at, vec3(1, 2, 3));
         const Entity other = world.create(Position{{5, 5, 5}});
         world.add(other, world.get<Health>(first));
         ASSERT_EQ(world.get<Health>(other).points, 4);
+        world.add(other, world.get<Velocity>(first));
+        ASSERT_EQ(world.get<Velocity>(other).linear, vec3(6, 7, 8));
     }
 }
 

@@ -63,8 +63,8 @@ std::size_t weigh(const Footprint& footprint, const VoxelBox& part, BellAxes& la
 /// double.
 inline constexpr double max_amount = 700;
 
-/// Rows of a part that hold a weight above 0, in order. Around a ball there are others. They are left out
-/// here, once, because a branch at each row would often be foreseen wrongly.
+/// Rows of a part that hold a weight above 0, in order. At the border of a ball, some rows hold none. They
+/// are left out here, once, because a branch at each row would often be foreseen wrongly.
 struct WeightedRows {
     std::array<std::uint8_t, voxels_of_brick / brick_size> rows;
     std::size_t count = 0;

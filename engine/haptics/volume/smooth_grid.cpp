@@ -17,7 +17,7 @@ using SmoothRow = std::array<double, smooth_taps>;
 struct SmoothTaps {
     std::array<std::ptrdiff_t, smooth_taps> offset{};
     SmoothRow value{}, slope{};
-    int first{}, count{};  ///< index of the first of these samples, and number of samples along the axis
+    int first{}, count{};  ///< index of the first sample used, and number of samples along the axis
     bool whole{};          ///< the kernel does not reach beyond the first or the last sample
     bool adjacent{};       ///< true: `whole` is true, and the samples follow each other in memory
 };

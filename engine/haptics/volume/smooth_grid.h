@@ -40,11 +40,11 @@ struct SmoothGrid {
     field::Grid grid{};
     /// Averages of blocks of the grid's samples (field/block_averages.h), for sample_box(); may be empty.
     field::Grid averages{};
-    field::ShownRange shown{};  ///< range of the finite samples, by which a picture shows the others
+    field::ShownRange shown{};  ///< range of the finite samples; decides how other samples are shown
     bool coarse_steps{};        ///< as in field::BlockAverages, for sample_box()
 
     field::Scalar operator()(vec3 place) const;
-    /// The same, but near the border the gradient, too, takes the border sample for those beyond it.
+    /// As operator(), but near the border the gradient, too, uses the border sample for samples beyond it.
     field::Scalar ending_level(vec3 place) const;
     /// The box of the samples. A picture shows them, linear between them.
     field::SampleBox sample_box() const;

@@ -42,12 +42,13 @@ struct TriangleTree::Search {
     float limit2{};
     std::array<std::size_t, most_collected> collected{};  ///< triangles whose boxes are within the limit
     std::size_t count = 0;
-    bool overflows = false;  ///< there are more of them than can be collected
+    bool overflows = false;  ///< there are more triangles within the limit than `collected` holds
     bool at_once = false;    ///< each triangle is measured and given to the result when it is met
 
     void set_limit(double distance) {
+        constexpr double rounding = 1 + 1e-6;  // of a large distance's square in single precision
         limit = distance;
-        limit2 = above((limit + margin) * (limit + margin));
+        limit2 = above(rounding * (limit + margin) * (limit + margin));
     }
 
     /// Which of a node's eight boxes may hold what is wanted, one bit each.
@@ -187,7 +188,10 @@ double TriangleTree::distance_of_enough(const Search& search) const {
     std::array<double, most_nodes * width> distances;
     std::size_t measured = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double distance = distance_to_triangle(triangles_[boxes[i].child].corners, search.point);
+        // That of a triangle hardly wider than a line may be computed as less than that of its box.
+        const double distance =
+            std::max(distance_to_triangle(triangles_[boxes[i].child].corners, search.point),
+                     std::sqrt(double{boxes[i].distance2}));
         if (std::isfinite(distance)) distances[measured++] = distance;
     }
     return least_but(search.into.into.size(), std::span(distances).first(measured));
@@ -205,8 +209,9 @@ void TriangleTree::gather(vec3 point, const Nearby& body, NearestSurfaces& into)
     search.set_limit(into.found.reach);
     const std::size_t top = levels_.size() - 1;
     visit(top, 0, search);
-    if (search.overflows) {
-        search.set_limit(std::min(into.found.reach, distance_of_enough(search)));
+    if (const double enough = search.overflows ? distance_of_enough(search) : HUGE_VAL;
+        enough < search.limit) {
+        search.set_limit(enough);
         search.begin_again();
         visit(top, 0, search);
     }

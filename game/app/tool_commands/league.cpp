@@ -38,9 +38,9 @@ A single level plays against itself, each seed once.
 
 The same options give the same table with any number of processes. A draw is half a win
 for each; dry: alive without energy for a shot; own: a death that is nobody's kill.
-Magic is used in a round if it changes health, or if a blow falls while it acts on one
-of the two. A kill is magic if at least half of the last 30 HP was lost by magic or under
-it: with a potion, the Lens or the Great Work, 6 s after a spell, 2 s after a push.
+Magic is used in a round if it heals, pushes or holds off a blow, or if a blow falls
+while it acts. A kill is magic if at least half of the last 30 HP was lost by magic or
+under it: a potion or the Lens of the killer, 6 s after a spell, 2 s after a push.
 )";
 
 constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
@@ -251,6 +251,7 @@ std::string balance_table(const Plan& plan, const LeagueSummary& s) {
     const auto rounds = static_cast<double>(s.round_s.size());
     const auto of_rounds = [&](double count) { return percent(ratio(count, rounds)); };
     const auto spread = [](const std::vector<double>& times) {
+        if (times.empty()) return std::string("none");
         return text("median ", fixed(at_share(times, 0.5), 0),
                     " s (10 to 90 %: ", fixed(at_share(times, 0.1), 0), " to ",
                     fixed(at_share(times, 0.9), 0), " s)");
@@ -324,7 +325,8 @@ Json json_of(const Plan& plan, const LeagueSummary& s) {
     for (const auto& p : s.pairs) pairs.push_back(json_of(p));
     for (const auto& l : s.levels) levels.push_back(json_of(l));
     auto kills = Json::object();
-    for (std::size_t cause = 0; cause < causes().size(); ++cause) kills.set(causes()[cause], s.kills[cause]);
+    for (std::size_t cause = 0; cause < causes().size(); ++cause)
+        if (!causes()[cause].empty()) kills.set(causes()[cause], s.kills[cause]);
     kills.set("own", s.own_deaths);
     return {{"league",
              {{"rules", plan.choice.rules},

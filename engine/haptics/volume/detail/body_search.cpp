@@ -31,10 +31,8 @@ constexpr double max_search_step = 0.5;
 constexpr double depth_share = 0.3, max_eased = 0.5;
 /// Largest distance from the drawn surface of a plane that lags behind because it may move only by
 /// LevelSurface::slew in a tick. It is given as shares of the tip's depth: first for a plane that moves out
-/// of the body, then for one that sinks into it. `max_late` is in samples along the normal. `late_reach` is a
-/// share of LevelSurface::reach: a proxy that lies deeper than the reach finds no surface any more, so the tip
-/// of a fast hand would be let go of within the body.
-constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1, late_reach = 0.6;
+/// of the body, then for one that sinks into it. `max_late` is in samples along the normal.
+constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
 /// Smallest share of the slew (largest motion of a plane in a tick) by which a plane may always move. The
 /// tip's motion against the plane, which changes the force too, takes the rest of the slew.
 constexpr double min_slew = 0.25;
@@ -343,8 +341,7 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
         way.smooth * fading((std::abs(way.smooth) / sample - max_search_step) / max_search_step);
     const double own = glm::dot(motion_, way.out), slew = surface_.slew;
     if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
-    const double most = std::min(depth_share * depth, max_eased * fine_);
-    const double late = std::min(max_late * sample, late_reach * surface_.reach);
+    const double most = std::min(depth_share * depth, max_eased * fine_), late = max_late * sample;
     const double wanted = std::clamp(step, -most, most);
     // The tip's motion along the normal changes the force, too, so it leaves less of the slew to the plane.
     const double up = std::max(slew + std::min(own, 0.0), min_slew * slew);
@@ -371,17 +368,18 @@ std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& fou
 }
 
 /// The place where a straight way out of the body leaves the body or the sample box; std::nullopt if that is
-/// farther away than LevelSurface::reach.
-std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place, const Way& way) {
+/// farther away than `limit` (m).
+std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place, const Way& way,
+                                                     double limit) {
     const double end = way_to_end(place, way.out, half_);
     Bracket b{place, place, at_place, at_place};
     for (int i = 0; i < max_looks; ++i) {
-        const double t = std::min({look_at(i) * fine_, surface_.reach, end});
+        const double t = std::min({look_at(i) * fine_, limit, end});
         b.to = place + t * way.out;
         b.at_to = inside(b.to);
         if (!is_solid(b.at_to)) return found_at(crossing(b, accurate), place, way);
         if (t >= end) return found_at(b.to, place, way);
-        if (t >= surface_.reach) return std::nullopt;
+        if (t >= limit) return std::nullopt;
         b.from = b.to;
         b.at_from = b.at_to;
     }
@@ -415,8 +413,8 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
     const double length = glm::length(drawn.gradient);
     if (!(length > 1e-150) || !std::isfinite(length)) return std::nullopt;
     const double side = surface_.solid_below ? 1 : -1;
-    return leaving(place, at_place,
-                   {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
+    return leaving(place, at_place, {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL},
+                   surface_.reach);
 }
 
 /// The place on the surface of the smoothed field near a place, if the tip is so deep that its plane lies
@@ -444,8 +442,11 @@ std::optional<BodySearch::Found> BodySearch::near(vec3 place, vec3 target) {
     const double here = inside(nearest);
     if (!is_solid(here)) return entering(nearest, here, *way, surface_.reach - away);
     if (away > 0) return found_at(nearest, nearest, *way);
-    const auto found = leaving(nearest, here, *way);
-    return found ? found : out_of_crevice(nearest, here);
+    auto found = leaving(nearest, here, *way, surface_.reach);
+    if (!found) found = out_of_crevice(nearest, here);
+    // The plane of a fast hand lags, and the proxy with it. It must find the surface again.
+    if (!found) found = leaving(nearest, here, *way, surface_.reach + max_late * sample_along(way->out));
+    return found;
 }
 
 /// The place where the straight way between two places enters the body; the first place lies outside.
@@ -471,15 +472,16 @@ std::optional<BodySearch::Found> BodySearch::between(vec3 from, vec3 to) {
 }
 
 /// Whether the plane at a found place tells where the body is on a proxy's way. A plane is infinite, but the
-/// body is not: where the proxy meets the plane far from the found place, the body may not be there, above all
-/// beyond a thin edge, and outside of the box it is not. A tip in front of the plane counts as if it fell onto
-/// it.
-bool BodySearch::reaches(const Found& found, vec3 from, vec3 to) {
+/// body is not: where the proxy meets the plane far from the found place, the body may not be there, above
+/// all beyond a thin edge, and outside of the box it is not. A plane behind the tip must lie near the proxy, on
+/// which a magnet acts.
+bool BodySearch::is_on_way(const Found& found, vec3 from, vec3 to) {
+    if (!is_finite(to)) return true;
     const vec3 out = found.way.out;
-    const double below = glm::dot(found.place - to, out);
-    if (!(below > 0)) return glm::distance(to + below * out, found.place) <= fine_;
-    const double above = std::max(0.0, glm::dot(from - found.place, out));
-    const double apart = glm::distance(from + above / (above + below) * (to - from), found.place);
+    const double above = glm::dot(from - found.place, out), below = glm::dot(found.place - to, out);
+    if (!(below > 0)) return glm::distance(from - above * out, found.place) <= fine_;
+    const vec3 meets = from + std::max(0.0, above) / (std::max(0.0, above) + below) * (to - from);
+    const double apart = glm::distance(meets, found.place);
     const Part in_box = part_in_box(from, to, half_);
     if (in_box.from > in_box.to || apart > fine_) return false;
     return apart <= beside_samples * fine_ || solid(to);
@@ -488,10 +490,9 @@ bool BodySearch::reaches(const Found& found, vec3 from, vec3 to) {
 std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
     const vec3 from = to_box(proxy), to = to_box(target);
     auto found = near(from, to);
-    if (!found && !solid(from)) found = between(from, to);
+    if ((!found || !is_on_way(*found, from, to)) && !solid(from)) found = between(from, to);
     if (!found) return std::nullopt;
-    if (!reaches(*found, from, to) && !solid(from)) found = between(from, to);
-    if (found) contact_.depth = glm::dot(found->place - to, found->way.out);
+    contact_.depth = glm::dot(found->place - to, found->way.out);
     return plane_of(found, from, to);
 }
 

@@ -82,14 +82,14 @@ private:
 
     std::optional<Found> near(vec3 place, vec3 target);
     std::optional<Found> on_smooth(vec3 place, const Way& way, vec3 target);
-    std::optional<Found> leaving(vec3 place, double at_place, const Way& way);
+    std::optional<Found> leaving(vec3 place, double at_place, const Way& way, double limit);
     std::optional<Found> out_of_crevice(vec3 place, double at_place);
     std::optional<Found> entering(vec3 place, double at_place, const Way& way, double limit);
     std::optional<Found> between(vec3 from, vec3 to);
     vec3 crossing(Bracket bracket, double accuracy);
     std::optional<Found> found_at(vec3 place);
     Found found_at(vec3 place, vec3 start, const Way& way);
-    bool reaches(const Found& found, vec3 from, vec3 to);
+    bool is_on_way(const Found& found, vec3 from, vec3 to);
     bool stays_in(vec3 target, vec3 out, double depth, double height);
     double eased(const Found& found, vec3 proxy, vec3 target);
     std::optional<ContactPlane> plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target);
