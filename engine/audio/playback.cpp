@@ -112,7 +112,7 @@ void Playback::drop_waiting() {
     while (voices_.front() != nullptr) voices_.pop();
 }
 
-/// Number of blocks to write: what the device wants, but at most what real time allows.
+/// Number of audio blocks to write: as many as the device asks for, but no more than real time allows.
 std::size_t Playback::allowed(std::size_t wanted, double now_s) {
     const double passed = std::max(0.0, now_s - last_step_s_);
     last_step_s_ = now_s;

@@ -88,7 +88,7 @@ void fill_run(BlockAverages& averages, const Grid& grid, const VoxelBox& run) {
     }
 }
 
-/// Computes the averages of these blocks.
+/// Computes the average of the samples of each block in the range `blocks`.
 void fill(BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
     for (int k = blocks.low[2]; k < blocks.high[2]; ++k) {
         for (int j = blocks.low[1]; j < blocks.high[1]; ++j) {

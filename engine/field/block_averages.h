@@ -38,8 +38,8 @@ struct BlockAverages {
     Grid grid(const Grid& of) const;
 };
 
-/// Averages of blocks of a grid's samples; empty if each block would be a single sample. `bricks`, which
-/// number the changes of a body part by part, are needed if the body may change, else null.
+/// Averages of blocks of a grid's samples; empty if each block would be a single sample. `bricks` holds, for
+/// each part of a body, the number of the part's last change; null: the samples never change.
 BlockAverages make_block_averages(const Grid& grid, const Bricks* bricks = nullptr);
 
 /// Recomputes the averages of the parts of a body that have changed. No allocation.

@@ -61,7 +61,7 @@ struct Extent {
     /// m).
     vec3 half{};
     bool in_metres = false;  ///< true: `half` is in m; false: in voxels
-    Stamp stamp{};           ///< weights, used by ExtentShape::stamp
+    Stamp stamp{};           ///< weights of the cells, 0 to 1; empty unless the shape is `stamp`
 };
 
 /// Set of properties of a voxel, such as those that an operation changes.

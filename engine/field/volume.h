@@ -50,7 +50,7 @@ struct FileAxes {
     /// Place of the volume's middle. Without an origin in the file, the first sample of a file with a frame
     /// of space is at 0, as other programs assume. std::nullopt: the file has no frame.
     std::optional<vec3> middle{};
-    vec3 spacing{};  ///< the volume's spacing and placement as computed from these vectors
+    vec3 spacing{};  ///< the volume's spacing and placement, computed from `direction` and `first`
     Placement placement{};
 };
 

@@ -15,8 +15,8 @@ struct VoxelOverlap {
     float threshold{};           ///< density from which on a voxel is inside
     /// A sum for each voxel: 1 if it is inside the body, plus 2 if it is inside the wanted body.
     std::vector<std::uint8_t> inside{};
-    std::size_t both{};    ///< number of voxels inside both bodies
-    std::size_t either{};  ///< number of voxels inside at least one of the bodies
+    std::size_t both{};    ///< number of voxels inside the body and the wanted body
+    std::size_t either{};  ///< number of voxels inside the body or the wanted body
 
     /// Whether a voxel is inside the wanted body.
     bool wants(std::size_t voxel) const { return (inside[voxel] & 2U) != 0; }

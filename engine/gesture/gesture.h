@@ -22,8 +22,8 @@ struct GestureOptions {
     /// True if the stroke must be drawn in the recorded direction. False if it may also be drawn backwards.
     bool direction_sensitive = true;
     double rotation = 0;   ///< largest turn of a stroke about the z axis against the template, 0 to pi (rad)
-    double min_scale = 0;  ///< least size of a stroke, as a multiple of the template's
-    double max_scale = 1e9;  ///< largest size of a stroke, as a multiple of the template's
+    double min_scale = 0;  ///< least size of a stroke divided by that of the template
+    double max_scale = 1e9;  ///< largest size of a stroke divided by that of the template
     bool closed = false;     ///< true if the stroke is a closed curve that may start anywhere
     bool planar = false;     ///< true if z is ignored
     /// Mean force below which a stroke is gentle (unit of the device); 0: 0.6 times that of the templates.

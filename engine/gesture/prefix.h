@@ -96,7 +96,7 @@ struct PrefixSpace {
         float distance{};
         /// Natural logarithm of the share of the recorded stroke's length that the stroke so far has reached.
         float log_share{};
-        float force{};  ///< mean force of that beginning (unit of the strokes)
+        float force{};  ///< mean force of the recorded beginning (unit of the strokes)
     };
     /// For each gesture, the beginning of a recorded stroke that is nearest to the stroke so far.
     std::vector<Nearest> nearest{};

@@ -44,8 +44,8 @@ struct Recognition {
     float runner_up_distance{};
     Evidence evidence{};   ///< the distances in the form to which a calibration is fitted
     double probability{};  ///< probability that the stroke, drawn on purpose, was meant as `gesture`, 0 to 1
-    /// The same probability under the assumption that half of all strokes mean nothing. A stroke is accepted
-    /// by this probability.
+    /// Probability that the stroke was meant as `gesture`, 0 to 1, under the assumption that half of all
+    /// strokes mean nothing. A stroke is accepted by this probability.
     double even_probability{};
     bool accepted{};  ///< false: the stroke counts as none of the gestures
     ForceClass force = ForceClass::normal;

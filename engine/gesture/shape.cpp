@@ -156,9 +156,9 @@ Copied copy(Points stroke, bool depth, ShapeSpace& space) {
             std::max({extent[1], extent[2], extent[3]})};
 }
 
-/// Signs that a rest may begin at a point, cheap to test: the path that follows is short for some time.
+/// Signs that a rest may begin at a point, cheap to test: for some time, the path from there on is short.
 struct HaltSign {
-    std::size_t steps{};  ///< number of steps in the path that follows the point
+    std::size_t steps{};  ///< number of steps (point to point) of the path from the tested point on
     /// Length of the whole path, and of its first step, below which there may be a rest.
     float way{}, shortest{};
     /// Duration of the first step, and of the whole path, above which there may be a rest (s).

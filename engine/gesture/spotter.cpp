@@ -41,8 +41,8 @@ constexpr double duration_weight = 0.1;
 // Limits of the speeds before and after a stroke, divided by the stroke's own: for a hand at rest, and for a
 // hand that moves fast.
 constexpr float min_motion = 0.1F, max_motion = 3;
-constexpr float shortest_time = 0.05F;  // shortest duration that a speed is divided by, against division by
-                                        // zero (s)
+// Shortest duration by which a path is divided to give a speed, so that nothing is divided by zero (s).
+constexpr float shortest_time = 0.05F;
 
 /// Overlap of two spans of time, as a share of the shorter one.
 double overlap(double start_a, double end_a, double start_b, double end_b) {

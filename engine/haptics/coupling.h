@@ -83,14 +83,15 @@ struct CouplingFrame {
     vec3 taken_device{};
 };
 
-/// P_HIP = P_player + R_g (P_obj0 + R_d s_x (P_device - P_device0)) (m, world). When the object is taken, it
-/// equals the object's position.
+/// Place of the hand in the world (haptic interface point), with the symbols of CouplingFrame and the
+/// device's position P_device: P_HIP = P_player + R_g (P_obj0 + R_d s_x (P_device - P_device0)) (m, world).
+/// When the object is taken, it equals the object's position.
 vec3 interface_point(const CouplingFrame& frame, vec3 device);
-/// R_d^T R_g^T v: turns a world vector into the device frame. If the object gets the force F, the hand feels
-/// -s_f times to_device(F).
+/// Turns a world vector v into the device frame: R_d^T R_g^T v. If the object gets the force F, the hand
+/// feels -s_f to_device(F), with the scale of forces s_f = CouplingFrame::newtons_per_newton.
 vec3 to_device(const CouplingFrame& frame, vec3 world);
-/// Stiffness that the hand feels, s_f s_x k (N/m). It must stay below the largest stiffness that the device
-/// renders stably.
+/// Stiffness that the hand feels (N/m): `stiffness` times the frame's scales of force and length. It must
+/// stay below the largest stiffness that the device renders stably.
 double felt_stiffness(const CouplingFrame& frame, double stiffness);
 
 }  // namespace thaum::haptics

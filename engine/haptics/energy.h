@@ -59,7 +59,7 @@ struct ActiveBin {
 enum class HeldBack : std::uint32_t {
     no,         ///< no reserve: the springs are not limited
     by_energy,  ///< the energy that the springs received and still hold adds to the reserve
-    by_work,    ///< all the work that the hand does on the springs of a field adds to it
+    by_work,    ///< all the work that the hand does on the springs of a field adds to the reserve
 };
 
 /// State of the passivity observer, the account of the energy that sources gave the hand; no padding.
@@ -136,10 +136,10 @@ inline constexpr double brake_step = 0.3, held_brake_step = 0.15;
 
 /// Moves the brake, a damping force, towards `wished`, the one that the passivity controller asks for (N). It
 /// moves by at most `brake_step` or `held_brake_step`, since a brake that began at once would be a jump.
-/// Against the force that it brakes, `braked` (N), the brake is at most as strong as that force. So it can
-/// cancel the force, but cannot pull a hand that leaves a wall back into the wall. A brake in other
-/// directions that is longer than `braked` becomes shorter by one step a tick. Where `braked` is zero, the
-/// last output (N) takes its place.
+/// The brake's component against the force that it brakes, `braked` (N), is at most as large as that force.
+/// So it can cancel the force, but cannot pull a hand that leaves a wall back into the wall. A brake stronger
+/// than `braked` becomes weaker by such a step in each tick. If `braked` is zero, the brake has no component
+/// against the last output (N).
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)

@@ -14,9 +14,10 @@ namespace {
 
 /// Factors from quantities of the bowl's frame to those at the hand (HAPTICS.md, "Units, frames and state").
 struct HandScale {
-    /// Factor from stiffness, damping and mass in the bowl to those at the hand: s_f s_x.
+    /// Factor from stiffness, damping and mass in the bowl to those at the hand: the scale of forces times
+    /// that of lengths, s_f s_x (BowlFrame).
     double stiffness{};
-    double energy{};  ///< factor from energy in the bowl to that at the hand: s_f / s_x
+    double energy{};  ///< factor from energy in the bowl to that at the hand: s_f / s_x (BowlFrame)
 };
 
 HandScale hand_scale(const BowlFrame& frame) {
@@ -162,7 +163,7 @@ Drags drags_of(const FluidModes& modes, const LadleDrag& drag, const FlowSample&
 /// Forces of the flow on the hand (N).
 struct FlowForces {
     vec3 viscosity{}, flow{}, resistance{};
-    double slope{};  ///< damping that the hand feels by these forces (N s/m)
+    double slope{};  ///< damping that the hand feels by the flow's forces (N s/m)
 };
 
 FlowForces forces_of(const FluidTouch& fluid, const FlowSample& sample, vec3 velocity, double immersed,

@@ -8,13 +8,15 @@
 //                                                                                         force for the fluid
 //
 // There are two frames and two scales (HAPTICS.md, "Couplings and fluid"). The bowl frame has y up and an
-// origin that the game chooses (m). Flow, surface and wall are in the bowl frame. With x and v of the tip in
-// the device frame, R = `turn` and s_x, s_f:
+// origin that the game chooses (m). Flow, surface and wall are in the bowl frame. x and v are position and
+// velocity of the tip in the device frame, R the rotation to the bowl frame, s_x and s_f the scales of length
+// and force (BowlFrame), F a force in the bowl frame:
 //
 //     place P = origin + R s_x x        velocity V = R s_x v        force on the hand f = s_f R^T F
 //
 // Each force is a mode with a strength w from 0 (off, at no cost) to 1. The flow at P has velocity u,
-// viscosity mu and density rho (flow_patch.h). The immersed share of the ladle is i, 0 to 1:
+// viscosity mu and density rho (flow_patch.h). The immersed share of the ladle is i, 0 to 1. `viscous` (m)
+// and `form` (m^3/s) are coefficients of the ladle's drag (LadleDrag). A spring has stiffness k, a damper b:
 //
 //     viscosity   F = - w_v i viscous mu V              (1)  as in a medium at rest: passive
 //     flow        F = + w_f i viscous mu u              (2)  carries a relaxed hand: an active source
@@ -28,6 +30,10 @@
 //     inertia     F = w_m (k (M - P) + b (M' - V))      (6)  m M'' = -F: a mass of its own, felt as
 //                                                            s_f s_x m; passive
 //     recoil      a Pulse (servo.h), see recoil_peak()  (7)  active
+//
+// In (4), h is the height of the surface. The surface pushes a probe outside with at most `pop` until the
+// probe breaks through, and pulls a probe inside with at most `cling`. In (6), the ladle's own mass m is at
+// the place M and moves with the velocity M'.
 //
 // With equal strengths, (1) and (2) are the Stokes drag -viscous mu (V - u); a sphere of radius a has viscous
 // = 6 pi a. (3) is the form drag C_d A rho U^2 / 2 of an obstacle with the drag coefficient C_d and the
@@ -58,13 +64,14 @@
 //   2. surface = the fluid's surface under the probe (ProbeReaction, SpringSurfaceSettings). Its velocity is
 //      the change of its height over the time of a fluid step. Without a surface, `present` = 0.
 //   3. Frame, drag, wall, ladle and modes from the game's data. The device must be able to render the felt
-//      stiffnesses s_f s_x k. `number` counts from 1 and changes when the probe appears, or when frame, modes
-//      or data jump.
+//      stiffnesses s_f s_x k of all springs. `number` counts from 1 and changes when the probe appears, or
+//      when frame, modes or data jump.
 //   4. After the servo step: -force_on_ladle(touch, state) is the force on the fluid at state.place in this
 //      tick (N, bowl frame). fluid::push gets the sum over 16 ticks, times tick_seconds and divided by the
-//      density. The limits by cap and heat do not reduce it: the world gets all of it. The surface gets the
-//      probe's place and has its own reaction. The ladle is drawn at state.place. If the device gives no
-//      sample in a tick, the state stays unchanged, so the last force continues, as on the device.
+//      density. The limits of the force on the hand, by its largest allowed value and by the heat of the
+//      motors, do not reduce it: the world gets all of it. The surface gets the probe's place and has its own
+//      reaction. The ladle is drawn at state.place. If the device gives no sample in a tick, the state stays
+//      unchanged, so the last force continues, as on the device.
 //   5. When a substance is poured in: start a Pulse with the peak recoil_peak().
 //
 // Device frame unless stated otherwise. No allocation, no clock.

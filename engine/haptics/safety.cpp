@@ -6,10 +6,10 @@
 
 #include "haptics/energy.h"
 
-// The stage stops the force in two ways. Danger for the hand (a panic, a shut-off, a hand that is too fast)
-// makes the force zero at once. With an old model, and for a player who wants no forces any more, the force
-// ramps to zero, because nothing says that the last force was wrong. After either, the force returns from
-// zero through the slew limit.
+// The safety stage stops the force in two ways. Danger for the hand (a panic, a shut-off, a hand that is too
+// fast) makes the force zero at once. With an old model, and for a player who wants no forces any more, the
+// force ramps to zero, because nothing says that the last force was wrong. After either, the force returns
+// from zero through the slew limit.
 //
 // Every comparison is written so that NaN falls on the safe side.
 

@@ -48,7 +48,7 @@ struct SafetyLimits {
     double cap{};
     /// Largest force that a correct source asks for (N); asking for more repeatedly shuts the device off.
     double excess{};
-    /// The same limit for the force of a tether, a spring that the world may stretch far (N).
+    /// Largest force that a correct tether, a spring that the world may stretch far, asks for (N).
     double spring_excess{};
     double continuous{};  ///< largest root mean square of the output over 10 s that keeps the motors cool (N)
     double slew{};        ///< rate at which the offset that hides a jump of the force fades (N/s)
@@ -75,7 +75,7 @@ inline constexpr double steady_change = 0.49;
 /// Limits for a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
 SafetyLimits safety_limits(const DeviceSpec& spec, double share);
 
-/// The same limits with another cap, as a share of the device's peak, 0 to 1.
+/// Returns the limits with another cap (largest output): the device's peak times `share`, 0 to 1.
 SafetyLimits with_share(SafetyLimits limits, double share);
 
 /// Reason why the device gets less force than was asked for. If there are several, it is the last one in this

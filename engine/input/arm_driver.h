@@ -83,7 +83,8 @@ public:
     /// AtHang::write_zero it is also called by another thread during a read or write. Returns whether the arm
     /// accepted the force.
     virtual bool write_zero() noexcept { return write(vec3(0)) == 0; }
-    /// Stores the vendor's message for a fault, after the last zero force. It may hang.
+    /// Stores the vendor's message for a fault that ended the arm's ticks. Called after zero force was
+    /// written, because this call may hang.
     virtual void note(ArmFault) noexcept {}
 
     /// State and text for a fault that read or write returned. Any thread may call it. The engine sets

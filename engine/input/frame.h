@@ -26,7 +26,7 @@ inline constexpr std::uint8_t force_as_rules = 101;
 
 /// A change, by a player during the match, of a fader for the forces at the hand.
 struct FaderChange {
-    /// Number of the fader: a HandFader, or from HandFader::fluid on a source of a fluid; 0: no change.
+    /// Number of the fader: a HandFader, or from HandFader::fluid on a kind of force of a fluid; 0: none.
     std::uint8_t fader{};
     std::uint8_t percent{};  ///< new value, 0 to 100, or force_as_rules: as in the data files
     bool operator==(const FaderChange&) const = default;

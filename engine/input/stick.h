@@ -14,7 +14,7 @@ struct StickResponse {
     /// 1 it is finest near the middle.
     double curve = 0.7;
 
-    /// The same settings, with values that are not finite or out of range replaced by the nearest useful
+    /// Copy of these settings, with values that are not finite or out of range replaced by the nearest useful
     /// ones.
     StickResponse checked() const;
 };

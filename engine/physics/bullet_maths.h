@@ -22,8 +22,8 @@ std::vector<std::string> foreign_maths();
 void require_our_maths();
 
 /// Hash of the seven functions' results for a fixed list of arguments; the header of a log contains it.
-/// It is the same in every correct build. Otherwise this compiler has produced other results for
-/// core/maths.cpp, and no match can be replayed.
+/// The hash is the same in every correct build. If a hash differs, the compiler has produced other results
+/// for core/maths.cpp, and no match can be replayed.
 std::uint64_t maths_probe();
 
 }  // namespace thaum::physics

@@ -40,7 +40,7 @@ class Font {
 public:
     /// Loads DejaVu Sans Bold from the usual system folders. The error names the package to install.
     static Expected<Font> load();
-    /// Loads the first of these files that exists.
+    /// Loads the first font file in `candidates` that exists.
     static Expected<Font> load(const std::vector<std::filesystem::path>& candidates);
     Font(Font&&) noexcept;
     Font& operator=(Font&&) noexcept;

@@ -42,9 +42,9 @@ struct MeshData {
 /// fewer triangles, or not at all.
 struct Patch {
     MeshData full;
-    /// The same piece with fewer triangles. It is drawn if the missing detail is smaller than finest_px, the
-    /// least size (px) of detail that the quality shows, and has faded (Vertex::far_away). Empty if there is
-    /// no plain form.
+    /// The piece of `full` with fewer triangles. It is drawn if the missing detail is smaller than finest_px,
+    /// the least size (px) of detail that the quality shows, and has faded (Vertex::far_away). Empty if there
+    /// is no plain form.
     MeshData plain{};
     float detail{};  ///< size of the detail that `plain` lacks (m)
     // `full` is empty for a patch that lies behind other patches of the mesh. It is drawn, in its plain form,

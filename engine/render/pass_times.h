@@ -28,7 +28,8 @@ struct PassTimes {
     std::array<double, passes> ms{};
     double operator[](Pass pass) const { return ms[static_cast<std::size_t>(pass)]; }
     bool operator==(const PassTimes&) const = default;
-    double total_ms() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }  ///< their sum
+    /// Sum of the durations (ms).
+    double total_ms() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }
 };
 
 /// Measures passes while it is on. It then waits at the end of each until all of it is drawn, so a picture

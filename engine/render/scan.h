@@ -98,7 +98,7 @@ struct Scan {
     // Values of a surface:
     float level = 0.5F;  ///< density of the surface; denser places are inside
     fvec3 colour{1};     ///< colour in linear light
-    float sun = 1;       ///< share of the sunlight that reaches it
+    float sun = 1;       ///< share of the sunlight that reaches the surface
 
     bool leaps = true;  ///< false: rays do not skip bricks (of 8^3 samples) that show nothing; for tests
 };

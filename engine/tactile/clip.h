@@ -13,7 +13,8 @@
 
 namespace thaum::tactile {
 
-inline constexpr std::size_t clip_side = 20;  ///< number of cells of the front, and of the back
+/// Number of cells on a jacket's front; as many are on its back.
+inline constexpr std::size_t clip_side = 20;
 /// Number of all cells: front cells, then back cells; rows from the top, each from the wearer's left.
 inline constexpr std::size_t clip_cells = 40;
 inline constexpr Tick clip_frame_ticks = 20;

@@ -158,7 +158,8 @@ void come_nearer(const BotTurn& turn) {
     lift_plan.until = turn.tick + take_time;
 }
 
-/// Presses fire when the crosshair is on the thing. If the wand took nothing, releases fire and tries again.
+/// Presses fire when the crosshair is on the thing to lift. If the wand took nothing, releases fire and tries
+/// again.
 Aim take_up(const BotTurn& turn, const Lifter& lifter) {
     const auto& self = turn.self;
     auto& mind = turn.mind;
@@ -214,12 +215,12 @@ Aim aim_to_guard(const BotTurn& turn) {
     return aim;
 }
 
-/// A throw from the thing's position: the wanted direction and the present one.
+/// A throw of the held thing from its present position: the wanted direction and the present one.
 struct Throw {
     vec3 target{};  ///< point that the throw is to hit (m, world)
     vec3 wanted{};  ///< direction of a throw that would hit the target (unit, world)
     vec3 actual{};  ///< direction of a throw at this moment (unit, world)
-    double harm{};  ///< harm if the thing hits the foe (HP)
+    double harm{};  ///< harm if the thrown thing hits the foe (HP)
 };
 
 vec3 along(Aim aim) { return look_rotation(aim.yaw, aim.pitch) * vec3(0, 0, -1); }
@@ -242,7 +243,7 @@ Throw plan_throw(const BotTurn& turn, const Lifter& lifter) {
     return t;
 }
 
-/// Holds the thing until the throw is right, or as a shield while shots come.
+/// Holds the lifted thing until a throw would hit, or as a shield while shots come.
 Aim hold_and_throw(const BotTurn& turn, const Lifter& lifter) {
     const auto& self = turn.self;
     const auto& skill = turn.seat.skill.lift;

@@ -82,17 +82,17 @@ struct Mind {
                     move_strafe, move_forward, buttons, round, wand, trigger, wand_key, heedless, spare);
 };
 
-/// Stages of lifting: walk to the thing, take it up, hold it.
+/// Stages of lifting a loose thing: walk to it, take it up, hold it.
 enum class LiftStage : std::uint32_t { none, approach, take, hold };
 
 /// Plan of a bot for one loose thing.
 struct LiftPlan {
     ecs::Entity thing{};
-    vec3 place{};                  ///< position at which the bot saw the thing last (m, world)
+    vec3 place{};                  ///< position at which the bot last saw the thing to lift (m, world)
     Tick until{};                  ///< tick at which the bot gives up the present stage of lifting
     Tick not_before{};             ///< tick before which the bot chooses no other thing to lift
     Tick shots_from{}, shot_at{};  ///< ticks of the first and the last shot that the bot saw coming
-    double off_left{}, off_up{};   ///< angles from the crosshair to the thing when it was taken up (rad)
+    double off_left{}, off_up{};   ///< angles from the crosshair to the thing as it was taken up (rad)
     LiftStage stage{};
     std::uint32_t spare{};
     THAUM_COMPONENT(LiftPlan, thing, place, until, not_before, shots_from, shot_at, off_left, off_up, stage,

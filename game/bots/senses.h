@@ -18,7 +18,7 @@ void see_power_ups(const Simulation& match, const Self& self, const Seat& seat, 
 /// Looks at one loose thing per call. If it is in view, notes its position.
 void see_things(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes);
 
-/// Whether the crosshair is on the thing and the thing is within `reach` (m).
+/// Whether the bot's crosshair is on this loose thing, and the thing is within `reach` (m).
 bool crosshair_on(const Simulation& match, const Self& self, ecs::Entity thing, double reach);
 
 /// Whether the bot sees a shot of the foe coming towards it.

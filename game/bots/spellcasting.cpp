@@ -26,7 +26,7 @@ constexpr double harsh_force = 1.9;  ///< mean force of a harsh stroke (N)
 
 // ---- which spell ------------------------------------------------------------------------------------------
 
-/// Distance of the thing that the wizard took up last (m); 0 if there is none.
+/// Distance of the loose thing that the wizard lifted last (m); 0 if there is none.
 double distance_of_last_thing(const Simulation& match, ecs::Entity wizard, vec3 eye) {
     const auto* last = match.world().find<LastProp>(wizard);
     if (last == nullptr || !last->thing || !match.world().alive(last->thing)) return 0;

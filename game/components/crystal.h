@@ -66,7 +66,7 @@ struct CrystalStrike {
     ecs::Entity crystal{};
     vec3 place{};  ///< position of the hit (m, world)
     vec3 way{};    ///< direction of flight (world); zero: unknown, so the nearest voxel is hit
-    std::uint32_t player{no_player};  ///< player who fired the shot or threw the thing
+    std::uint32_t player{no_player};  ///< player who fired the shot or threw the thing that hit
     std::uint32_t spare{};
     THAUM_COMPONENT(CrystalStrike, crystal, place, way, player, spare);
 };

@@ -86,7 +86,7 @@ struct Dead {
 struct Blow {
     ecs::Entity by{};
     Tick began{};
-    Tick counts_again{};  ///< tick before which another hit by the thing is ignored
+    Tick counts_again{};  ///< tick before which another hit by the same thing is ignored
     double impulse{};     ///< impulse of the blow so far (N s); negative once the harm has been applied
     THAUM_FIELDS(Blow, by, began, counts_again, impulse);
 };

@@ -1,7 +1,7 @@
 // game/data/potion_effect.h: what potions do to their wizards beyond the numbers that each potion has
-// (PotionGift). An effect is one source of game/stations/potions, with the name of the potion whose data
-// file asks for it (assets/potions/NAME.toml). It registers a PotionEffectKind, which reads keys of its own
-// from the table `wizard` of a potion. Any other potion may have these keys, too.
+// (PotionGift). Each effect has a source file of its own, such as game/stations/potions/venom.cpp for the
+// potion of assets/potions/venom.toml. The file registers a PotionEffectKind. It reads keys of its own from
+// the table `wizard` of a potion's data file. Other potions may have the same keys, and so the same effect.
 #pragma once
 #include <memory>
 #include <string_view>

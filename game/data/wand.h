@@ -91,11 +91,12 @@ enum class TargetKind : std::uint8_t {
 /// The thing under the crosshair, as a wand sees it.
 struct Target {
     TargetKind kind{};
-    /// The thing, for take, too_far and too_heavy. For hook, the anchor (a point made for ropes), if the rope
-    /// would hold on to one.
+    /// The loose thing under the crosshair, for take, too_far and too_heavy. For hook, the anchor (a point
+    /// made for ropes), if the rope would hold on to one.
     ecs::Entity thing{};
-    double mass{};        ///< mass of the thing (kg)
-    double mass_share{};  ///< mass of the thing as a share of the largest mass that the wand takes
+    double mass{};  ///< mass of the loose thing under the crosshair (kg)
+    /// Mass of the loose thing under the crosshair as a share of the largest mass that the wand takes.
+    double mass_share{};
 };
 
 /// Position of the wand's tip for a hand at rest (m, in the frame of the wizard's eye).

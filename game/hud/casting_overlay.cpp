@@ -28,10 +28,10 @@ const fvec4 grey_paint = colour(0xA8A4B0, 1.0F);
 
 // ---- The stroke -------------------------------------------------------------------------------------------
 
-/// Share of the view's shorter edge that a stroke of the usual width fills, and largest share that any stroke
-/// fills.
+/// Share of the view's shorter edge that a drawn stroke of the usual size (`usual_size`) fills, and largest
+/// share that any stroke fills.
 constexpr float usual_share = 0.34F, max_share = 0.66F;
-constexpr float usual_size = 0.08F;  // usual width of a stroke (m)
+constexpr float usual_size = 0.08F;  // usual extent of the path that a hand draws (m)
 constexpr std::size_t max_stroke_pieces = 160;
 
 /// Maps points of a stroke to the view. A stroke begins at the crosshair. It is moved and scaled down as far

@@ -6,7 +6,7 @@
 namespace thaum::game::inline hud {
 
 /// Adds the panel for the end of a round or match, as large as the text size asks for and the window allows.
-/// It covers what is below it.
+/// The panel covers the items behind it.
 void add_result_panel(render::Overlay& out, const Picture& picture, const HudSettings& settings,
                       render::Rect window);
 

@@ -224,8 +224,8 @@ void fill_primitives(VolumeLab& lab, vec3 tip, vec3 motion) {
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
-/// Computes the force on the hand once (N), by a servo step without the parts that count in ticks of 1 ms.
-/// These are the safety stage, and the account of the energy that the forces give.
+/// Computes the force on the hand once (N), by a servo step without the parts that count in ticks of
+/// 1 ms: the safety stage, and the account of the energy that the forces give.
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
     // Displacement of the tip over the last whole tick. Over one short step, most of it would be the
     // quantisation of the device.

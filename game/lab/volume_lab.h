@@ -69,8 +69,8 @@ struct VolumeLabSettings {
     std::vector<FeelPart> feel{};
     /// Opacity of the picture as a function of density; `feel` may use it.
     field::TransferFunction opacity{};
-    std::vector<LabPlace>
-        places{};  ///< places of the first volume and of the added ones; missing ones are in the middle
+    /// Places of the first volume and of the added volumes. Volumes without a place are in the middle.
+    std::vector<LabPlace> places{};
 };
 
 /// Materials, tools and devices that the lab has read from data files.

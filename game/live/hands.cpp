@@ -155,7 +155,7 @@ std::optional<HandNews> PlayerHands::take_half(const Settings& settings) {
     return news;
 }
 
-// Questions -------------------------------------------------------------------------------------------------
+// Queries about the devices ---------------------------------------------------------------------------------
 
 bool PlayerHands::pauses(int key, const Settings& settings) const {
     for (std::uint32_t p = 0; p < players; ++p) {

@@ -78,7 +78,7 @@ void open_page(MenuState& state, std::string_view page);
 Row link_to(std::string_view page, std::string label, std::string help);
 /// A row that opens a page about one player: the player whose device opens it.
 Row link_for_player(std::string_view page, std::string label, std::string help);
-/// Adds the rows "Controls" and "Settings", which open the pages of these names.
+/// Adds the rows "Controls" and "Settings", which open the pages "Controls" and "Settings".
 void add_page_rows(Rows& rows);
 /// A row that chooses the player whose values the page shows.
 Row whose_row(const MenuState& state, std::string label);
@@ -97,7 +97,7 @@ void turn(std::size_t& index, const List& list, int way) {
     index = turned(index, list.size(), way);
 }
 
-/// The longest of these texts; empty if there are none.
+/// The longest of the texts `words`; empty if there are none.
 std::string longest(const std::vector<std::string_view>& words);
 
 /// Sends a request to the running match, and ends the pause.

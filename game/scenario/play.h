@@ -59,7 +59,7 @@ struct Hand {
 /// A thing that the script has added to the world.
 struct SpawnedThing {
     ecs::Entity entity;
-    double mass{};  ///< mass of the thing (kg)
+    double mass{};  ///< mass of the added thing (kg)
 };
 
 /// A CSV file with one line for each tick.

@@ -105,8 +105,8 @@ void add_brew_of(const ArenaScene& arena_scene, const Picture& picture, std::uin
 }
 
 /// Adds lights around the rim in the colour of the brew's owner: a plain ring for one team, a zigzag for the
-/// other, so that the owner is recognised without the colour. The ring empties as the time runs out after
-/// which the brew boils over.
+/// other, so that the owner is recognised without the colour. The lights go out one by one until the brew
+/// boils over.
 void add_owner(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     constexpr int lights = 30;
     constexpr float size = 0.05F;

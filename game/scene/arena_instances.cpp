@@ -138,14 +138,14 @@ void light_up(std::span<Instance> of) {
     }
 }
 
-/// Whether the viewer's wand would take hold of the thing.
+/// Whether the viewer's wand would take hold of this thing: lift it or hook a rope to it.
 bool is_target(const Target& target, const ThingPicture& thing) {
     return (target.kind == TargetKind::take || target.kind == TargetKind::hook) && target.thing &&
            target.thing.index == thing.entity;
 }
 
-/// Adds a cage in the form of the viewer's team mark around a swing anchor, a point for ropes. The cage is at
-/// least as wide as a fixed share of its distance from the eye, so that it is seen from afar.
+/// Adds a cage of rings or triangles (by the viewer's team) around a swing anchor, a point for ropes. It is
+/// at least as wide as a fixed share of its distance from the eye, so that it is seen from afar.
 void add_anchor_mark(const ArenaScene& arena_scene, const ThingPicture& thing, std::uint32_t viewer, vec3 eye,
                      std::vector<Instance>& out) {
     constexpr double round_anchor = 3.2, min_share = 0.04;

@@ -94,7 +94,7 @@ ArenaScene::Ground ground_of(const Thing& thing, const Arena& arena) {
 /// sees only stone there. So a single block hides a cell of the sky that lies behind the corner of two walls,
 /// or behind the foot of a wall.
 void add_block(const Thing& thing, ArenaScene& arena_scene) {
-    // how much smaller than the thing the block is, and length that counts as endless (m)
+    // margin by which the block is smaller than the box on each side, and length that counts as endless (m)
     constexpr double less = 0.12, endless = 1000;
     const vec3 half = thing.body.size - less;
     if (glm::any(glm::lessThanEqual(half, vec3(0)))) return;

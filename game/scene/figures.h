@@ -34,7 +34,8 @@ fmat4 wand_in_own_hand();
 
 /// The glowing tip of a wand, centred at the origin.
 render::MeshData wand_spark(std::uint32_t team);
-/// The shell of a burst: the team's mark three times around one middle, radius 1 m.
+/// The shell of a burst, radius 1 m: three rings or triangles (by the team) with one centre, one
+/// perpendicular to each axis.
 render::MeshData burst_shell(std::uint32_t team);
 /// A white beam to be tinted, from the origin 1 m along -z, radius 1 m.
 render::MeshData beam_of_light();

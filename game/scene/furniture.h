@@ -21,7 +21,8 @@ FurnitureMesh cauldron(const physics::TriangleMesh& solid);
 /// for scaling.
 FurnitureMesh anchor();
 
-/// A flat start pad with the team's mark, centred on the ground. no_player: without a mark.
+/// A flat start pad with the team's mark, a ring or a triangle, centred on the ground. no_player: without a
+/// mark.
 FurnitureMesh start_plate(std::uint32_t team);
 
 /// A ring of signs around the cauldron, level with the ground.

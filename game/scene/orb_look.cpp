@@ -200,7 +200,7 @@ void add_orb(const OrbLook& look, const OrbPicture& orb, std::uint32_t viewer, v
 }
 
 void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player, std::vector<Instance>& out) {
-    constexpr double bead = 0.022;  // radius of the bead (m)
+    constexpr double bead = 0.022;  // radius of the ball that shows a player's probe (m)
     out.push_back(ball_at(look.bead, tip.place, bead, team_colours(player).light, 0.95F));
     add_force(look, tip, out);
 }

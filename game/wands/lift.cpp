@@ -32,7 +32,7 @@ struct LiftData {
     double stiffness{}, damping{}, drag_ratio{};
     /// Distance between hand and thing beyond which the wand loses the thing (m).
     double lost{};
-    /// Largest torque that keeps the thing's orientation (N m).
+    /// Largest torque that keeps the held thing's orientation (N m).
     double turn_torque{};
     /// Largest force that carries the thing along with the wizard's frame, which moves with the wizard and
     /// follows the view smoothly (N).
@@ -42,12 +42,12 @@ struct LiftData {
     double follow_rate{}, follow_acceleration{};
     /// Largest speed that a turn of the view gives to a held thing (m/s).
     double follow_speed{};
-    double wheel{};  ///< distance by which a wheel step moves the thing (m, world)
+    double wheel{};  ///< distance by which a wheel step moves the held thing (m, world)
     Tick caught{};   ///< time for which a thing that flew to the hand is held without fire (ticks)
     double metres_per_metre{}, finest{};
     double felt_stiffness{};  ///< stiffness of the spring as felt at the device (N/m)
     double weight{};          ///< force felt per mass, which is the felt share of the weight (N/kg)
-    /// Kick of the hand per impulse of a blow on the thing (N/(N s)); smallest impulse that is felt (N s).
+    /// Kick of the hand per impulse of a blow on the held thing (N/(N s)); smallest impulse felt (N s).
     double blow{}, min_blow{};
     double throw_speed{}, recoil{};  ///< largest speed of a throw (m/s), peak of its recoil (N)
     Tick recoil_length{};
@@ -56,11 +56,11 @@ struct LiftData {
 /// State of the lift wand in a wizard's hand. Symbols with P_ are those of paper 002.
 struct LiftHand {
     ecs::Entity held{};
-    quat turn{1, 0, 0, 0};  ///< orientation of the thing relative to the yaw of the wizard's frame
+    quat turn{1, 0, 0, 0};  ///< orientation of the held thing relative to the yaw of the wizard's frame
     double yaw{}, pitch{};  ///< direction of the wizard's frame, which follows the view smoothly (rad)
     double yaw_rate{}, pitch_rate{};  ///< rotation rates of the wizard's frame (rad/s)
-    vec3 taken_object{};  ///< P_obj0: position of the thing when it was taken up (m, wizard's frame)
-    /// P_device0: position of the device when the thing was taken up (m, device frame)
+    vec3 taken_object{};  ///< P_obj0: position of the held thing when taken up (m, wizard's frame)
+    /// P_device0: position of the device when the held thing was taken up (m, device frame)
     vec3 taken_device{};
     vec3 hip{};            ///< P_HIP: place of the hand in the world (haptic interface point) after the last
                            ///< tick (m)
@@ -157,8 +157,8 @@ haptics::CouplingFrame frame_of(const MatchContext& context, const LiftData& dat
 
 /// A loose thing under the crosshair.
 struct Sighted {
-    ecs::Entity thing{};  ///< the thing; not a valid entity if there is none
-    double mass{};        ///< mass of the thing (kg)
+    ecs::Entity thing{};  ///< the loose thing; not a valid entity if there is none
+    double mass{};        ///< mass of the loose thing (kg)
     double distance{};    ///< distance from the eye to the thing's surface (m)
 };
 

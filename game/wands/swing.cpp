@@ -17,7 +17,8 @@ using input::Button;
 
 struct SwingData {
     double energy_per_use{};  ///< energy that holding the rope costs per gameplay tick
-    /// Reach from the eye (m), final length as a share of the initial one, reeling speed (m per tick).
+    /// Reach of the rope from the eye (m), its length when reeled in as a share of its first length, and the
+    /// speed at which it is reeled in (m per tick).
     double reach{}, rest_share{}, reel{};
     double stiffness{}, damping_ratio{};  ///< stiffness of the rope (N/m), its damping as a share of critical
                                           ///< damping

@@ -42,7 +42,7 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"range", 11},         // the practice range: dummy, lessons, gesture wall
     {"menu", 12},          // start screen, pause and pages of settings
     {"live", 13},          // a match in real time: windows, devices, threads, sound
-    {"command_line", 13},  // a command's words, and how it ends
+    {"command_line", 13},  // parsing of a command's arguments, and exit codes
     {"lab", 14},           // labs: the cauldron's fluid alone, and scans to feel and carve
     {"app", 15},           // the program and its commands
 };

@@ -96,8 +96,8 @@ TEST(HapticsSafetyAudit, ReportsForcesThatNobodyWanted) {
 
 TEST(HapticsSafetyAudit, ReportsJumpsAtSwitches) {
     expect_caught(SafetyRule::slew, force_ends, shifted_at(500, {-0.001, 0, 0}));
-    // The stage starts with its gate shut: no force passes before the first one in range. When the gate
-    // opens, that counts as a switch of the source, so the force must grow slowly.
+    // The safety stage starts with its gate shut: no force passes before the first one in range. When the
+    // gate opens, that counts as a switch of the source, so the force must grow slowly.
     expect_caught(SafetyRule::slew, as_usual,
                   [](int tick, vec3 output) { return tick == 0 ? vec3(1.5, 0, 0) : output; });
 }

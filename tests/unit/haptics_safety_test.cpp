@@ -297,11 +297,11 @@ TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
     };
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 0}, .spring = {0, 125, 0}}));
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 13}, .spring = {0, 125, 0}}));
-    // The stage shuts off because of the force that is added to the spring.
+    // The force is shut off because of the part that is added to the spring's.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 125, 14}, .spring = {0, 125, 0}}));
-    // The stage shuts off because the spring is stretched beyond its limit.
+    // The force is shut off because the spring is stretched beyond its limit.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 166, 0}, .spring = {0, 166, 0}}));
-    // The stage shuts off because of the part of the force that is not the spring's.
+    // The force is shut off because of the part of the force that is not the spring's.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, 20, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, not_a_number, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, not_a_number, 0}, .spring = {0, 1, 0}}));

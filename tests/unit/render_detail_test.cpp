@@ -173,7 +173,8 @@ TEST(Hidden, BehindAWallUpToItsOutline) {
     EXPECT_TRUE(at({0, 0, -100}));
     EXPECT_FALSE(at({0, 0, -3})) << "in front of the block";
     EXPECT_FALSE(at({0, 0, 6})) << "behind the eye";
-    // Half the width of the area that the near face hides grows by 2 m in 4 m of distance from the eye.
+    // The block's face at z = -4 hides the places behind it with |x| < -z / 2. The near side of a box of half
+    // size 0.5 at z = -10 is at z = -9.5, where |x| < 4.75 is hidden.
     EXPECT_TRUE(at({4.2F, 0, -10}));
     EXPECT_FALSE(at({4.3F, 0, -10}));
     EXPECT_FALSE(hides(wall, {0, 0, -4.5}, {0, 0, -6}, fvec3(0.5F))) << "the eye inside the block";

@@ -147,8 +147,8 @@ void project(Fluid& fluid, ClassicScratch& scratch) {
 
 /// A place between eight cell centres, for interpolation.
 struct TracedPlace {
-    std::ptrdiff_t corner;      ///< index of that of the eight cells with the lowest coordinates
-    std::array<float, 3> part;  ///< position along each axis between that cell and the next one, 0 to 1
+    std::ptrdiff_t corner;      ///< index of the cell, of the eight, with the lowest coordinates
+    std::array<float, 3> part;  ///< position between that cell and the next along each axis, 0 to 1
 };
 
 /// Place from which the fluid of a cell came, along one axis: the lower cell, and the position between it and

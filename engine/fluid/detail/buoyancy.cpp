@@ -108,7 +108,8 @@ void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open,
                              .order = order,
                              .weight = weight.data(),
                              .open = open != nullptr ? (*open)[axis].data() : nullptr};
-        // For axis x, every row contains all levels, so all rows form one group.
+        // The work is divided into groups of rows. For axes y and z, a group is one level (cells at one
+        // position along the axis). A row along x crosses all levels of x, so all rows are then one group.
         const int groups = axis == 0 ? 1 : rows.lattice.cells[axis];
         each_slice(team, Split(team, groups), [&](Layers slice, unsigned) {
             for (int group = slice.first; group < slice.end; ++group) {

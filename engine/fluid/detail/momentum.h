@@ -30,7 +30,8 @@ namespace thaum::fluid {
 ///     next = start + next_part * rate(from)
 ///     sum  = (first ? start : sum) + sum_part * rate(from)
 struct RungeKuttaStage {
-    const std::array<Samples, 3>& from;  ///< velocity at the start of the stage, with filled ghost cells
+    /// Velocity at the start of this Runge-Kutta stage, with filled ghost cells.
+    const std::array<Samples, 3>& from;
     const std::array<Samples, 3>& start;
     const std::array<Samples, 3>* force{};  ///< acceleration by forces; null: none (m/s^2)
     std::array<Samples, 3>* next{};         ///< velocity for the next stage; null in the last stage

@@ -36,7 +36,8 @@ struct Waves {
     /// Ranges to fold (to replace mirrored places by their sums and differences), in this order: first the
     /// whole axis, then halves of ranges that were folded before.
     std::vector<CellRange> folds{};
-    std::vector<CellRange> dense{};  ///< ranges that remain after all folds
+    /// Ranges that remain after all folds, replacements of mirrored places by their sums and differences.
+    std::vector<CellRange> dense{};
     std::vector<std::vector<float>>
         forth{};  ///< matrices from places to waves, one for each dense range: [place][wave]
     std::vector<std::vector<float>>

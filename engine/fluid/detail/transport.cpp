@@ -453,7 +453,8 @@ TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
     const SubstepScale scale{static_cast<float>(carried / substeps),
                              static_cast<float>(diffusion * spread / substeps),
                              sharpness_of(face_flow, diffusion, scratch.segregation)};
-    // Flow through levels that lie across x is summed over all rows, which one thread does in order.
+    // The flow along x through each level (cells with one x) is a sum over all rows. One thread computes it,
+    // so that the order of the sum, and its rounding, is always the same.
     if (settings.moved_along.x != 0) split.slices = 1;
     const SubstepContext context{lattice, face_flow, scale, density, scratch, team, split};
     const auto step =

@@ -147,7 +147,7 @@ bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrd
 /// Inputs from which the coefficients of the links (viscous couplings) from a place of each line to the next
 /// place are computed.
 struct LinksToNext {
-    const float *own, *next;  ///< viscous coefficients of both places
+    const float *own, *next;  ///< viscous coefficients of the place and of the next place
     /// Coefficients of the six places around the link; used if a border of two fluids may be there.
     LinkRows around;
     const float* nearer;  ///< factors of the links, 1 where no wall cuts one; null: all are 1
@@ -226,12 +226,14 @@ PlaceRows place_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t
             .wall_multiple = last ? links_to_walls(lines)[1] : 0};
 }
 
-/// Velocities at one place of eight lines after the explicit half of the step, and the links to the next
-/// place.
+/// Velocities at one place of eight lines after the explicit half of the step, and their links (viscous
+/// couplings) to the next place.
 struct ExplicitHalf {
     Floats8 value;
     Floats8 to_next;  ///< flux of momentum to the next place or to the wall, by the velocity before the step
-    Floats8 implicit_link;  ///< implicit part of the link to the next place or to the wall
+    /// Part, for the implicit half of the step, of the viscous coupling coefficient between each velocity and
+    /// the next one on its line or the wall.
+    Floats8 implicit_link;
 };
 
 template <bool ring, bool last>
@@ -357,8 +359,8 @@ void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
         }
     }
     if constexpr (!ring) return;
-    // Formula of Sherman and Morrison: subtracts the multiple of the second solution (in
-    // `corner`) that closes the ring.
+    // Formula of Sherman and Morrison: subtracts the multiple of the second solution (`corner`)
+    // that makes the last place of each line couple to its first one (periodic).
     const auto end = (n - 1) * w;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
         const Floats8 by = (load(lines.value + i) - load(lines.value + (n - 1) * lines.row + i)) /
@@ -558,8 +560,8 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
             turn_slab(values, coefficients, line, width, lines, scratch.value.data(),
                       scratch.coefficient.data());
         }
-        // A uniform line must stay uniform to the bit. Rounding errors would give a flow in layers a velocity
-        // across the layers, and even a little of a very viscous layer thickens all the fluid that it enters.
+        // If no wall drags on the lines (`loose`), a uniform velocity must stay exactly uniform. Rounding
+        // errors would mix layers of fluid, and a little very viscous fluid thickens all that it enters.
         const bool loose = is_loose(lines, solids_ != nullptr);
         if (loose) subtract_first(lines, firsts.data());
         ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);

@@ -124,7 +124,7 @@ private:
                 if (count == points_of_middle) continue;
                 run.middle += (stroke_.place(next) - run.middle) / static_cast<Real>(++count);
             } else if (next + 1 == stroke_.size() || square_from(run.middle, next + 1) < square_) {
-                run.last = next;  // a single point farther away is noise
+                run.last = next;  // one point too far from the middle, amid near ones, is noise
             } else {
                 break;
             }

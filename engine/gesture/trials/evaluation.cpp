@@ -143,8 +143,8 @@ void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     }
 }
 
-/// The threshold of probability that only the share `false_accepts_wanted` of these strokes exceeds. They are
-/// all of gestures without templates, so accepting one is wrong.
+/// The threshold that only the share `false_accepts_wanted` of the probabilities exceeds. `unknown` has those
+/// of strokes of gestures without templates, so accepting one is wrong.
 double threshold_of(std::vector<double> unknown) {
     if (unknown.empty()) return 0;
     std::sort(unknown.begin(), unknown.end(), std::greater<>());

@@ -16,7 +16,7 @@ constexpr std::uint64_t window_ticks = 10'000;
 constexpr std::uint64_t memory_ticks = 11'000;
 constexpr double longest_hand_step = 0.05;  // longest plausible motion of the tip in a tick (m)
 // Share of the largest allowed mean square of the force (the limit that keeps the motors cool) below which
-// the stage may not scale a force down.
+// the safety stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 // Largest age of a haptic model (description of the world near the hand) at which the device still gets the
 // full force (ticks).
@@ -166,7 +166,7 @@ void SafetyAudit::follow_ramp(const SafetyInput& input) {
 
 /// Returns the limits with the cap (largest allowed force) that holds in this tick. When the game lowers the
 /// cap, the limit falls tick by tick from the last output down to it. Each change of the cap counts as a
-/// switch: a jump of the force, which the stage fades.
+/// switch: a jump of the force, which the safety stage fades.
 SafetyLimits SafetyAudit::follow_cap(SafetyLimits limits) {
     if (limits.cap != cap_) next_is_switch_ = true;
     const double falling = std::fmin(cap_, length_of_vector(last_output_)) - cap_falls_by;

@@ -1,6 +1,6 @@
 // haptics/audit/safety_audit.h: an independent audit of the safety stage. It counts violations of its rules.
 //
-//     wanted ---- make_safe ---- output ---- device     (make_safe: the stage, haptics/safety.h)
+//     wanted ---- make_safe ---- output ---- device     (make_safe: safety stage, haptics/safety.h)
 //        |                         |
 //        +----- SafetyAudit -------+
 //
@@ -108,25 +108,25 @@ private:
     // True: the next force that is let through counts as a switch (a jump to be faded), as the very first one
     // does.
     bool next_is_switch_ = true;
-    bool may_be_fading_ = false;  // the stage may still be fading the offset that hides a jump of the force
-    // True: `offset_` equals the offset of the stage. False after the stage scaled the force down because of
+    bool may_be_fading_ = false;  // make_safe may still be fading the offset that hides a jump of the force
+    // True: `offset_` equals the offset in make_safe. False after make_safe scaled the force down because of
     // warm motors, since the audit does not know by how much.
     bool offset_known_ = true;
-    // True: the stage neither scales the force down to keep the motors cool nor is still raising it again
+    // True: make_safe neither scales the force down to keep the motors cool nor is still raising it again
     // after that.
     bool unscaled_ = true;
-    vec3 offset_{};  // force that the stage adds to the wanted one after a jump, and fades (N)
+    vec3 offset_{};  // force that make_safe adds to the wanted one after a jump, and fades (N)
     // Output before the jump of the wanted force, shortened by as much as time shortens the offset (N).
     vec3 remnant_{};
     vec3 tip_{};               // position of the tip (m)
     double initial_length_{};  // length of the offset that hides a jump, when its fade began (N)
     double fade_work_{};       // work of the fading offset on the hand since its fade began (J)
     double fade_budget_{};     // largest work that the fading offset may do on the hand (J)
-    Moment last_fading_{};     // last tick in which the stage may have added an offset that hides a jump
+    Moment last_fading_{};     // last tick in which make_safe may have added an offset that hides a jump
 
     std::vector<double> squared_outputs_;  // squared forces of the last 11 s, a ring buffer (N^2)
     double window_sum_{};                  // sum of the squared outputs of the last 10 s (N^2)
-    // Sum of the squared outputs of the last 11 s, the longest time over which the stage may sum them (N^2).
+    // Sum of the squared outputs of the last 11 s, the longest time that make_safe may sum (N^2).
     double memory_sum_{};
 };
 

@@ -92,7 +92,7 @@ double length_of(Problem& problem) {
 struct Pace {
     double good;   ///< new smoothing in units of three gaps, after a step as exact as on a quadratic problem
     double poor;   ///< new smoothing in units of three gaps, after a less exact step
-    double least;  ///< smallest ratio of the new smoothing to the last one
+    double least;  ///< smallest ratio of the new smoothing to the last smoothing
     int rounds;    ///< largest number of Newton steps
 };
 

@@ -50,8 +50,8 @@ void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
     state.pace = std::clamp(state.pace, min_pace, state.bound);
 }
 
-/// Lets the bound of the pace (largest change of the force in a tick) fall by its factor, and rise with the
-/// motion of tip and fields.
+/// Updates the upper bound of the pace (largest change of the force in a tick). The bound falls by a constant
+/// factor in each tick, and rises with the motion of tip and fields.
 void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
     const double away = glm::distance(way.tip, state.rest);
     const double motion = std::max(0.0, away - still_range) + field_motion;

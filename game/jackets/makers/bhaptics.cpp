@@ -256,8 +256,8 @@ Expected<void> BhapticsJacket::open() {
         link_.reset();
         return connected;
     }
-    // Stops motors that an earlier program left on. The Player's reply also says whether a vest is connected,
-    // but not every Player replies.
+    // Stops motors that an earlier program left on. The Player, the program that drives the vest, may reply.
+    // Its reply also says whether a vest is connected.
     silence();
     link_->serve_until([this] { return !link_->is_up() || link_->reply(); }, longest_first_reply);
     if (link_->is_up() && has_vest()) return {};

@@ -23,7 +23,7 @@ struct FeltBands {
 /// Loads the frequency bands in which sounds are felt. The error names file, line and key.
 Expected<FeltBands> load_felt_bands(const std::filesystem::path& file);
 
-/// Strength over time, in these frequency bands, of all loaded sounds (the bank).
+/// Strength over time of all loaded sounds (the bank), in each frequency band of `bands`.
 struct FeltCourses {
     FeltBands bands{};
     /// Strength over time of each sound, indexed by the sound's number.

@@ -15,7 +15,7 @@ constexpr std::size_t max_dips = 8;
 struct Dip {
     ecs::Entity thing{};
     vec3 place{}, velocity{};
-    double radius{};  ///< radius of a ball of about the thing's size (m)
+    double radius{};  ///< radius of a ball about as large as the thing in the brew (m)
     double mass{};
     bool rests{};
 };
@@ -52,8 +52,8 @@ Dips find_dips(const ecs::World& world, const Cauldron& cauldron, const Basin& b
     return dips;
 }
 
-/// Impulse on the thing over one step of the brew's surface (4 ticks): drag against the flow and buoyancy (N
-/// s, world).
+/// Impulse on a thing in the brew over one step of the brew's surface (4 ticks): drag against the flow and
+/// buoyancy (N s, world).
 vec3 push_of(const MatchContext& context, const BrewWork* work, const Cauldron& cauldron, const Dip& dip,
              Tick tick) {
     const double density = context.data.cauldron->density * cauldron.density;

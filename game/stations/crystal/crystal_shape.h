@@ -29,10 +29,10 @@ inline constexpr std::size_t max_key_bits = 4;
 
 /// Dimensions of a key (voxels).
 struct KeyShape {
-    double ring_x{};                          ///< x of the ring's middle
-    double ring_radius{};                     ///< radius of the ring's middle line
-    double ring_thick{};                      ///< radius of the ring's cross-section
-    double ring_high{};                       ///< height of the ring as a share of its width
+    double ring_x{};                          ///< x of the middle of the handle, a ring
+    double ring_radius{};                     ///< radius of the middle line of the handle, a ring
+    double ring_thick{};                      ///< radius of the cross-section of the handle, a ring
+    double ring_high{};                       ///< height (y) of the handle, a ring, divided by its width (x)
     double shaft_end{};                       ///< x of the shaft's tip
     double shaft_thick{};                     ///< radius of the shaft
     double collar_x{};                        ///< x of the collar, a disc around the shaft

@@ -20,7 +20,7 @@ public:
 
 private:
     double strength_;  ///< harm by poison to those whom the lob hits (HP/s)
-    Tick poisons_;     ///< duration of that poison (ticks)
+    Tick poisons_;     ///< duration of the poison (ticks)
 };
 
 const PotionEffectRegistration registration({

@@ -21,7 +21,8 @@ struct Flat {
 
 /// Two unit vectors normal to q and to each other.
 std::array<vec3, 2> normals_to(vec3 q);
-/// The active term (whose kink is assumed to hold x) if there is exactly one, else null.
+/// The active term (x is assumed to lie on its kink: a point, line or plane) if there is exactly one, else
+/// null.
 Term* only_active(Problem& problem);
 /// Assumes that exactly those kinks hold x (are active) whose squared distance from x is below `square`
 /// (m^2).
@@ -32,9 +33,9 @@ void guess_active_set(Problem& problem, double square);
 /// inaccurate. A kink that can fix no further direction is skipped; spread_of_active() checks later whether x
 /// lies on it.
 Flat flat_of_active(Problem& problem, vec3& x);
-/// Gradient at x of the energy without the active terms, those whose kinks are assumed to hold x (N);
-/// infinite on the kink of an inactive term. `matrix` becomes the derivative of the gradient. Updates
-/// distances and forces of the inactive terms.
+/// Gradient at x of the energy without the active terms, those on whose kinks (a point, line or plane each) x
+/// is assumed to lie (N). It is infinite on the kink of an inactive term. `matrix` becomes the derivative of
+/// the gradient. Updates distances and forces of the inactive terms.
 vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix);
 /// Newton's step of x along the flat (the space within which x may move), for a gradient `slope` of the
 /// energy along it and a second derivative `m`.

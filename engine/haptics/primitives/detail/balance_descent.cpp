@@ -29,8 +29,8 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     return missing;
 }
 
-/// Slope of the energy along the step, at the fraction t of it. The terms whose kinks are assumed to hold x
-/// do not count, nor does the term `but`, if any.
+/// Slope of the energy along the step, at the fraction t of it. Active terms, on whose kinks (a point, line
+/// or plane each) x is assumed to lie, do not count, nor does the term `but`, if any.
 double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Term* but) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {

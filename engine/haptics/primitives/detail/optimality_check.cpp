@@ -55,8 +55,9 @@ Shortfall shortfall(Problem& problem, vec3 gradient) {
     return result;
 }
 
-/// Gives the force that is missing for balance to the active terms (whose kinks are assumed to hold x), in
-/// proportion to the strength that each has left.
+/// Distributes the force that is missing for balance at the proxy x over the active terms, in proportion to
+/// the strength that each has left. A term is active if x is assumed to lie on its kink: the point, line or
+/// plane where its energy is not smooth.
 void distribute(Problem& problem, const Shortfall& missing) {
     Symmetric room = missing.room;
     add_identity(room, 1e-14 * missing.most);

@@ -23,9 +23,9 @@ void keep_if_better(Solution& best, const Problem& problem, vec3 x, double resid
 /// Largest distance between x and a kink of the active set, which is assumed to hold x (m); 0 if x lies on
 /// all of them but for rounding.
 double spread_of_active(Problem& problem, vec3 x);
-/// Distributes the force that is missing for balance over the active terms (whose kinks are assumed to hold
-/// x), by the strength that each has left. Repeats this with the force that is still missing. Returns what
-/// they cannot exert (N).
+/// Distributes the force that is missing for balance over the active terms, by the strength that each has
+/// left. (A term is active if x is assumed to lie on its kink: a point, line or plane.) Repeats this with the
+/// force that is still missing. Returns the part of the force that the terms cannot exert (N).
 vec3 balance_active(Problem& problem, vec3 x);
 /// Length of the sum of all forces at x (N), whichever terms are assumed to hold x. The force of every term
 /// becomes the one that its primitive exerts at x, unless x lies on its kink.

@@ -56,7 +56,8 @@ bool moved_over(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wa
 using Places = std::array<vec3, surface_body_capacity>;
 
 /// Adds walls (planes, walls.h) of the surfaces that moved over the proxy. Returns false if there are none.
-/// `from` has, for each body, the place to which that body would have carried the proxy (m).
+/// `from` has, for each body, the place where the proxy would now be if it had moved with that body since the
+/// last tick (m).
 bool add_walls_that_moved_over(const Scene& scene, const SurfaceState& state, const Places& from, vec3 x,
                                Walls& walls) {
     bool pushed = false;

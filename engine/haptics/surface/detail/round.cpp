@@ -422,7 +422,7 @@ Obstacle obstacle_on(const Scene& scene, const Sweep& way, SurfaceSet passed_ove
 /// first place over an apex to its last, and stay outside the surfaces on which the path lies.
 struct Tangents {
     vec3 from{}, apex{}, to{};
-    double reach{};  ///< largest distance of these lines from their start (m)
+    double reach{};  ///< largest distance of the two lines from their start (m)
 };
 
 /// The two tangents that stand for a path between the parameters `from` and `to`. `a` is the place at `from`.
