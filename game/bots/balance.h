@@ -36,8 +36,8 @@ struct RoundCount {
     std::uint32_t lead_changes{};
 };
 
-/// Counts the rounds of one match from its events, in the order of their ticks. The first round begins at tick
-/// 0 of play, each other one with its event.
+/// Counts the rounds of one match from its events, in the order of their ticks. The first round begins at
+/// tick 0 of play, each other one with its event.
 class BalanceCounter {
 public:
     void note(const Event& event);

@@ -152,8 +152,8 @@ TEST(DrawnBody, BesideAThinEdgeOnAFaceOfTheBoxNothingIsFelt) {
     }
 }
 
-// The plane of a fast hand may lag farther than the reach of the search. Some of these hands would then be let
-// go of within the body.
+// The plane of a fast hand may lag farther than the reach of the search. Some of these hands would then be
+// let go of within the body.
 TEST(DrawnBody, AFastHandStaysInABodyOfThickSlices) {
     const Body body({24, 24, 8}, {fine, fine, 3 * fine}, ball_at({0, 0.004, 0.01}, 0.009, fine));
     const SmoothGrid felt = body.felt();

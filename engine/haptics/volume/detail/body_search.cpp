@@ -473,8 +473,8 @@ std::optional<BodySearch::Found> BodySearch::between(vec3 from, vec3 to) {
 
 /// Whether the plane at a found place tells where the body is on a proxy's way. A plane is infinite, but the
 /// body is not: where the proxy meets the plane far from the found place, the body may not be there, above
-/// all beyond a thin edge, and outside of the box it is not. A plane behind the tip must lie near the proxy, on
-/// which a magnet acts.
+/// all beyond a thin edge, and outside of the box it is not. A plane behind the tip must lie near the proxy,
+/// on which a magnet acts.
 bool BodySearch::is_on_way(const Found& found, vec3 from, vec3 to) {
     if (!is_finite(to)) return true;
     const vec3 out = found.way.out;
