@@ -77,18 +77,21 @@ EGLConfig choose_config(EGLDisplay display) {
     }
     // EGL sorts deeper colours first, but 10 bits take a software rasteriser twice as long as 8. With alpha
     // the pixel layout is that of windows, so read_pixels only copies. Views have depth in a target of their
-    // own (Renderer): without depth here a software rasteriser copies rectangles fast.
+    // own (Renderer): without depth here a software rasteriser copies rectangles fast, so one with depth is
+    // only the second choice.
     const auto has = [&](EGLConfig config, EGLint name, EGLint wanted_value) {
         EGLint value = 0;
         return eglGetConfigAttrib(display, config, name, &value) == EGL_TRUE && value == wanted_value;
     };
-    for (const EGLint alpha : {8, 0}) {
-        const auto* const end = configs.data() + count;
-        const auto* found = std::find_if(std::as_const(configs).data(), end, [&](EGLConfig c) {
-            return has(c, EGL_RED_SIZE, 8) && has(c, EGL_ALPHA_SIZE, alpha) && has(c, EGL_DEPTH_SIZE, 0) &&
-                   has(c, EGL_STENCIL_SIZE, 0) && has(c, EGL_SAMPLES, 0);
-        });
-        if (found != end) return *found;
+    for (const bool any_depth : {false, true}) {
+        for (const EGLint alpha : {8, 0}) {
+            const auto* const end = configs.data() + count;
+            const auto* found = std::find_if(std::as_const(configs).data(), end, [&](EGLConfig c) {
+                return has(c, EGL_RED_SIZE, 8) && has(c, EGL_ALPHA_SIZE, alpha) && has(c, EGL_SAMPLES, 0) &&
+                       (any_depth || (has(c, EGL_DEPTH_SIZE, 0) && has(c, EGL_STENCIL_SIZE, 0)));
+            });
+            if (found != end) return *found;
+        }
     }
     return count > 0 ? configs[0] : nullptr;
 }

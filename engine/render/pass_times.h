@@ -16,7 +16,7 @@ enum class Pass : std::uint8_t {
     meshes,     ///< draws everything solid, and the sky
     scans,      ///< marches rays through scans such as the crystals
     mists,      ///< steam and spells
-    window,     ///< brings views that were drawn smaller, or in linear light, into the window
+    window,     ///< brings the views, which have targets of their own, into the window
     overlay,    ///< text and panels
 };
 inline constexpr std::size_t passes = 8;

@@ -5,11 +5,13 @@
 namespace thaum::render {
 namespace {
 
-constexpr double slow_ms = 1000.0 / 30;
+// Times include the wait for the screen. A screen of 60 Hz turns any time from 17 to 33 ms into 33.3 ms and
+// any from 34 to 49 ms into 50 ms, give or take its jitter, so that the limits lie between those.
+constexpr double slow_ms = 36.5;
 constexpr double quick_ms = 9;
-// A picture of 46 ms takes about 1/30 s at the lowest resolution. One of 20 ms takes at most 27 ms at the
-// next higher resolution, so that the resolution does not alternate while the work stays the same.
-constexpr double hopeless_ms = 46, easy_ms = 20;
+// If half of the work is that of pixels, a picture of 52 ms takes 36 ms at the lowest resolution. If all of
+// it is, one of 20.5 ms takes 36.4 ms when the resolution rises from 0.6 to 0.8, so that no work alternates.
+constexpr double hopeless_ms = 52, easy_ms = 20.5;
 constexpr float resolution_step = 0.2F, lowest_resolution = 0.6F;
 // Number of pictures after each decision that are not measured, since shaders and memory may be new.
 constexpr int settling = 8;
@@ -18,27 +20,36 @@ constexpr int nearly_all = 57;
 
 Quality stepped(Quality q, int by) { return static_cast<Quality>(static_cast<int>(q) + by); }
 
+/// The same choice with nothing measured yet.
+AutoQuality undecided(const AutoQuality& state) {
+    return {.current = state.current,
+            .most = state.most,
+            .resolution = state.resolution,
+            .most_resolution = state.most_resolution};
+}
+
 /// The next lower resolution of the same preset or, if that would not do, the next lower preset.
 AutoQuality lowered(const AutoQuality& state) {
     const bool would_do = state.resolution > lowest_resolution + 0.1F && 2 * state.hopeless <= judged;
-    AutoQuality next{.current = state.current, .most = state.most, .resolution = state.resolution};
-    if (would_do) {
-        next.resolution -= resolution_step;
-    } else if (state.current != Quality::low) {
-        next.current = next.most = stepped(state.current, -1);
-        next.resolution = 1;
-    } else {
-        next.resolution = std::max(state.resolution - resolution_step, lowest_resolution);
+    if (!would_do && state.current != Quality::low) {
+        const auto below = stepped(state.current, -1);
+        return {.current = below, .most = below};
     }
+    AutoQuality next = undecided(state);
+    next.resolution = std::max(state.resolution - resolution_step, lowest_resolution);
+    // The last step up was in vain, with a screen that waits for example, and would be so again.
+    if (state.raised) next.most_resolution = next.resolution;
     return next;
 }
 
 AutoQuality decided(const AutoQuality& state) {
     if (2 * state.slow > judged) return lowered(state);
-    AutoQuality next{.current = state.current, .most = state.most, .resolution = state.resolution};
-    if (state.resolution < 1) {
-        if (state.easy >= nearly_all) next.resolution = std::min(state.resolution + resolution_step, 1.0F);
-    } else if (state.quick >= nearly_all && state.current < state.most) {
+    AutoQuality next = undecided(state);
+    if (state.resolution < state.most_resolution) {
+        next.raised = state.easy >= nearly_all;
+        if (next.raised)
+            next.resolution = std::min(state.resolution + resolution_step, state.most_resolution);
+    } else if (state.resolution >= 1 && state.quick >= nearly_all && state.current < state.most) {
         next.current = stepped(state.current, +1);
     }
     return next;

@@ -1,9 +1,11 @@
 // render/quality.h: the cost of a picture, in three presets:
 //
-//              resolution   point lights      sun's shadow             colours
+//              resolution*  point lights      sun's shadow             colours
 //   low        720 lines    4, each vertex    baked into the vertices  fog and tone curve at each vertex
 //   medium     720 lines    8, each vertex    map, one bilinear tap    the same, twice: in sun and in shade
 //   high       the window's 8, each pixel     map, four taps           16-bit floats, tone mapped last, bloom
+//
+// * `auto` (see below) draws 60 to 100 percent of it.
 //
 // At high, large fixed meshes (stone) have light at each pixel only near a light: elsewhere light changes so
 // little within a triangle that its vertices do.
@@ -13,10 +15,11 @@
 // pixels along a side.
 //
 // `auto` is not a preset but a way to choose one. It starts from the device that draws (a processor or a
-// graphics card) and then follows measured times, so that 30 pictures a second are drawn if the device can.
-// It first lowers the resolution of the views, to 60 percent at least: medium at 60 percent takes as long as
-// low in full and is nearer to the best picture. It never alternates between presets: one that proved too
-// slow is not tried again.
+// graphics card) and then follows measured times, so that about 30 pictures a second are drawn if the device
+// can. It first lowers the resolution of the views, to 60 percent at least: medium at 60 percent takes as
+// long as low in full and is nearer to the best picture. It never alternates between presets: one that proved
+// too slow is not tried again. Where vertical sync waits for a screen of less than 50 Hz, no picture takes
+// less than 20.5 ms, so there the resolution never rises again.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -55,14 +58,18 @@ struct AutoQuality {
     int hopeless{}, easy{};
     /// Share of the preset's resolution along a side: 1, 0.8 or 0.6.
     float resolution = 1;
+    float most_resolution = 1;  ///< highest share that has not proved too slow right after it was reached
+    bool raised{};              ///< true: the last decision raised the resolution
 };
 
 /// Updates the state after a picture that took `frame_ms` to draw and present. After each decision it ignores
-/// 8 pictures and judges the next 60. If more than half of them took longer than 1/30 s, it lowers the
-/// resolution; it lowers the preset if the resolution is lowest already, or if more than half took longer
-/// than 46 ms, which the lowest resolution would hardly bring below 1/30 s. It raises the resolution if
-/// nearly all took less than 20 ms. At full resolution it raises the preset if nearly all took less than
-/// 9 ms, since a preset costs up to three times as much as the one below.
+/// 8 pictures and judges the next 60. If more than half of them took longer than 36.5 ms (two refreshes of a
+/// 60 Hz screen, with their jitter, take less), it lowers the resolution. It lowers the preset instead if the
+/// resolution is lowest already, or if more than half took longer than 52 ms, which the lowest resolution
+/// would hardly bring below 36.5 ms; at low it can only lower the resolution. It raises the resolution if
+/// nearly all took less than 20.5 ms, but never again to one that was too slow at once. At full resolution it
+/// raises the preset if nearly all took less than 9 ms, since a preset costs up to three times as much as the
+/// one below.
 AutoQuality after_frame(AutoQuality state, double frame_ms);
 
 }  // namespace thaum::render

@@ -83,7 +83,7 @@ struct Renderer::State {
     std::vector<std::uint64_t> mesh_versions;
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
-    // Targets smaller than the window; `light` holds linear light for Quality::high.
+    // Targets of the views, at most as large as the window; `light` holds linear light for Quality::high.
     Target pixels, light;
     std::vector<Bloom> blooms;  // bloom (bright light that spreads) of each view
     ShadowMap shadow_map;
@@ -283,7 +283,7 @@ void Renderer::State::draw_views(const Frame& frame) {
 const Target& Renderer::State::begin_target(const Frame& frame, int width, int height) {
     const bool of_light = frame.quality == Quality::high;
     auto& target = of_light ? light : pixels;
-    resize(target, of_light ? GL_RGBA16F : GL_RGBA8, true, width, height);
+    resize(target, of_light ? GL_RGBA16F : GL_RGBA, true, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glViewport(0, 0, width, height);
     glDepthMask(GL_TRUE);
@@ -315,7 +315,7 @@ void Renderer::State::show_views(const Frame& frame, std::span<const ViewBatches
             statistics.draws +=
                 compose(target, place, frame.bloom ? &blooms[i] : nullptr, programs, no_attributes);
         else
-            show(target, place, programs.show, no_attributes);
+            statistics.draws += show(target, place, programs.show, no_attributes);
     }
     // Without a flush the overlay would be drawn together with this, tile by tile. A software rasteriser
     // takes its fast way only in tiles in which it draws nothing but rectangles.

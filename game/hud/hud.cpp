@@ -134,7 +134,8 @@ void begin_frame(const ArenaScene& arena_scene, const Picture& picture, const Hu
     frame.height = size.height;
     frame.quality = settings.quality;
     frame.bloom = settings.bloom;
-    frame.internal_scale = settings.resolution * render::internal_scale_of(settings.quality, size.height);
+    const float of_preset = render::internal_scale_of(settings.quality, size.height);
+    frame.internal_scale = std::max(settings.resolution * of_preset, 0.25F);  // the least that Frame allows
     frame.views.clear();
     frame.overlay.items.clear();
     add_shared(arena_scene, picture, memory);

@@ -170,13 +170,14 @@ struct RenderTimes {
 };
 
 /// Counts a picture that was just shown. Its duration decides on the quality of the next one.
-void count_picture(std::int64_t begun_ns, bool measured, LiveShared& shared, RenderState& state,
+void count_picture(std::int64_t begun_ns, const Screen& screen, LiveShared& shared, RenderState& state,
                    RenderTimes& times) {
     const auto shown_ns = monotonic_ns();
     const double frame_ms = static_cast<double>(shown_ns - begun_ns) * 1e-6;
     auto& quality = state.quality;
-    // Measuring the parts of a picture slows it down, so such a picture does not decide on the quality.
-    if (!measured) quality.found = render::after_frame(quality.found, frame_ms);
+    // Pictures that do not decide on the quality: those whose parts are measured, which slows them down, and
+    // those of a quality that was set, which is not the one found here.
+    if (!screen.frame_times && !screen.quality) quality.found = render::after_frame(quality.found, frame_ms);
     shared.report.quality = state.memory.frame.quality;
     times.frames.add(frame_ms);
     take_due(shared.stamps, state.buffer.shown_due_ns, [&](const InputStamp& stamp) {
@@ -235,7 +236,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
         if (!due(state, screen, changed)) continue;
         const auto begun_ns = monotonic_ns();
         show_picture(screen, size, window, renderer, state);
-        count_picture(begun_ns, screen.frame_times, shared, state, times);
+        count_picture(begun_ns, screen, shared, state, times);
         warm_up_next(renderer, shared, state);
     }
     shared.report.frame_ms_median = times.frames.at(0.5);

@@ -146,6 +146,29 @@ TEST_F(Picture, SplitViewsColourOnlyTheirOwnHalf) {
     }
 }
 
+TEST_F(Picture, AStretchedViewShowsNothingOfItsNeighbour) {
+    // Each view is inside a large cube of one colour, so that only that colour may show up to its edge.
+    auto wall = box(fvec3(10), fvec3(1));
+    for (std::size_t i = 0; i + 2 < wall.indices.size(); i += 3)
+        std::swap(wall.indices[i], wall.indices[i + 1]);
+    const auto mesh = renderer->upload(wall);
+    const std::vector<Instance> reds{{.mesh = mesh, .model = fmat4(1), .tint = red, .glow = 1}},
+        greens{{.mesh = mesh, .model = fmat4(1), .tint = green, .glow = 1}};
+    for (const auto split : {Split::side_by_side, Split::top_bottom}) {
+        for (const float scale : {0.6F, 0.8F}) {
+            const auto rects = split_window(width, height, split);
+            const auto image = drawn({.width = width,
+                                      .height = height,
+                                      .views = {view(rects[0], reds), view(rects[1], greens)},
+                                      .internal_scale = scale});
+            EXPECT_EQ(count(image, rects[0], [](Pixel p) { return p.r > 80 && p.g == 0; }),
+                      rects[0].width * rects[0].height);
+            EXPECT_EQ(count(image, rects[1], [](Pixel p) { return p.g > 80 && p.r == 0; }),
+                      rects[1].width * rects[1].height);
+        }
+    }
+}
+
 TEST_F(Picture, TheFirstViewIsOnTopAndRightIsRight) {
     const auto rects = split_window(width, height, Split::top_bottom);
     const std::vector<Instance> one{cube_at({2, 0, -3}, red)};
@@ -402,11 +425,11 @@ TEST_F(Picture, CountsDrawsAndSkipsTheUnseen) {
     const auto& s = renderer->statistics();
     EXPECT_EQ(s.instances_drawn, 10U);
     EXPECT_EQ(s.instances_culled, 7U);
-    EXPECT_EQ(s.draws, 2U) << "one mesh and the sky";
+    EXPECT_EQ(s.draws, 3U) << "one mesh, the sky and the view into the window";
     EXPECT_EQ(s.triangles, 10U * 12);
     instances.assign(5, cube_at({0, 0, 5}, red));
     drawn(instances);
-    EXPECT_EQ(renderer->statistics().draws, 1U) << "unseen things cost no call";
+    EXPECT_EQ(renderer->statistics().draws, 2U) << "unseen things cost no call";
 }
 
 TEST_F(Picture, ThingsThatAreNotNumbersAreNotDrawn) {

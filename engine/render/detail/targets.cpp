@@ -44,11 +44,18 @@ void blur(const SmallProgram& program, const Texture& from, const Target& to, fv
     fill(to);
 }
 
-/// Sets the part of the picture that the view covers, in texture coordinates.
-void set_part(const SmallProgram& program, const Target& light, const Rect& drawn) {
+/// Sets the part of the picture that the view covers, in texture coordinates, `inset` texels from its edges.
+void set_part(const SmallProgram& program, const Target& light, const Rect& drawn, float inset = 0) {
     const fvec2 size(static_cast<float>(light.width), static_cast<float>(light.height));
-    glUniform4f(program.part, static_cast<float>(drawn.x) / size.x, static_cast<float>(drawn.y) / size.y,
-                static_cast<float>(drawn.width) / size.x, static_cast<float>(drawn.height) / size.y);
+    glUniform4f(program.part, (static_cast<float>(drawn.x) + inset) / size.x,
+                (static_cast<float>(drawn.y) + inset) / size.y,
+                (static_cast<float>(drawn.width) - 2 * inset) / size.x,
+                (static_cast<float>(drawn.height) - 2 * inset) / size.y);
+}
+
+/// Returns true if a pixel of the view is one of the window.
+bool are_alike(const ViewPlace& view) {
+    return view.drawn.width == view.shown.width && view.drawn.height == view.shown.height;
 }
 
 void make_bloom(const Target& light, const Rect& drawn, Bloom& bloom, const Programs& programs) {
@@ -75,8 +82,8 @@ void resize(Target& target, GLint format, bool with_depth, int width, int height
     glBindTexture(GL_TEXTURE_2D, target.colour.get());
     if (format == GL_RGBA16F)
         glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
-    else  // the layout of windows; a software rasteriser copies and stretches pictures of this layout fastest
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+    else  // a software rasteriser copies and stretches pictures of this layout fastest
+        glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
                      nullptr);
     filter_bound(GL_LINEAR);
     for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}})
@@ -92,17 +99,19 @@ void resize(Target& target, GLint format, bool with_depth, int width, int height
                  text("no framebuffer of ", width, " x ", height));
 }
 
-void show(const Target& pixels, const ViewPlace& view, const SmallProgram& program,
-          const VertexArray& no_attributes) {
+std::size_t show(const Target& pixels, const ViewPlace& view, const SmallProgram& program,
+                 const VertexArray& no_attributes) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glBindVertexArray(no_attributes.get());
     glViewport(view.shown.x, view.shown.y, view.shown.width, view.shown.height);
     glUseProgram(program.program.get());
-    set_part(program, pixels, view.drawn);
+    // A stretched pixel is a mean of texels. Half a texel from the edge they still belong to this view.
+    set_part(program, pixels, view.drawn, are_alike(view) ? 0 : 0.5F);
     bind(picture_unit, pixels.colour);
     glDrawArrays(GL_TRIANGLES, 0, 6);
+    return 1;
 }
 
 std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, const Programs& programs,
@@ -119,8 +128,7 @@ std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, co
     glUniform1f(programs.compose.parameter, bloom != nullptr ? bloom_strength : 0);
     bind(picture_unit, light.colour);
     // Where a pixel of the view is one of the window, each needs one texel instead of a mean of four.
-    const bool alike = view.drawn.width == view.shown.width && view.drawn.height == view.shown.height;
-    filter_picture(alike ? GL_NEAREST : GL_LINEAR);
+    filter_picture(are_alike(view) ? GL_NEAREST : GL_LINEAR);
     // Without bloom the program multiplies this texture by 0, but some texture must be bound.
     bind(bloom_unit, bloom != nullptr ? bloom->bright.colour : light.colour);
     glDrawArrays(GL_TRIANGLES, 0, 3);

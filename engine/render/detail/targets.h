@@ -1,5 +1,5 @@
-// Intermediate targets of the views: smaller than the window, or in linear light that the last pass converts
-// to pixels.
+// Intermediate targets of the views: in pixels or in linear light, at most as large as the window. The last
+// pass brings them into the window.
 #pragma once
 #include "render/detail/gpu_mesh.h"
 #include "render/detail/shaders.h"
@@ -14,7 +14,8 @@ struct Target {
     int width{}, height{};
 };
 
-/// Recreates the target if its size differs. `format` is GL_RGBA8 or GL_RGBA16F.
+/// Recreates the target if its size differs. `format` is GL_RGBA16F, or GL_RGBA for pixels of 8 bits a colour
+/// in the layout of windows.
 void resize(Target& target, GLint format, bool with_depth, int width, int height);
 
 /// Targets for bloom (bright light that spreads beyond its edges): a quarter of one view's width and height.
@@ -27,9 +28,10 @@ struct ViewPlace {
     Rect drawn, shown;
 };
 
-/// Brings one view's pixels into the window, stretched if the sizes differ.
-void show(const Target& pixels, const ViewPlace& view, const SmallProgram& program,
-          const VertexArray& no_attributes);
+/// Brings one view's pixels into the window, stretched if the sizes differ. No pixel of another view shows.
+/// Returns the number of draw calls.
+std::size_t show(const Target& pixels, const ViewPlace& view, const SmallProgram& program,
+                 const VertexArray& no_attributes);
 
 /// Converts one view's light to the window's pixels. No light spreads to another view. A null `bloom` means
 /// no bloom. Returns the number of draw calls.
