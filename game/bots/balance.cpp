@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "game/components/wizard.h"
 #include "game/data/event_kinds.h"
 
 namespace thaum::game::inline bots {
