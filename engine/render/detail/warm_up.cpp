@@ -3,6 +3,19 @@
 #include "render/detail/gl.h"
 
 namespace thaum::render::detail {
+namespace {
+
+/// Patches in the sun and out of it. The large ones are near the light, the small ones are not.
+Patchwork patches_of_every_kind() {
+    Patchwork patches;
+    for (const float half : {0.5F, 4.0F}) {
+        for (const bool sunless : {false, true})
+            patches.push_back({.full = box(fvec3(half), fvec3(1)), .sunless = sunless});
+    }
+    return patches;
+}
+
+}  // namespace
 
 void warm_up(Renderer& renderer, Quality quality) {
     const std::array texels{Texel{255, 255, 255, 255}};
@@ -17,13 +30,7 @@ void warm_up(Renderer& renderer, Quality quality) {
                   .skin = skin,
                   .skin_indices = corners};
     const MeshId mesh = renderer.upload(box(fvec3(0.5F), fvec3(1)));
-    // The large patches are near the light, the small ones are not.
-    Patchwork patches;
-    for (const float half : {0.5F, 4.0F}) {
-        for (const bool sunless : {false, true})
-            patches.push_back({.full = box(fvec3(half), fvec3(1)), .sunless = sunless});
-    }
-    const MeshId patchwork = renderer.upload(patches);
+    const MeshId patchwork = renderer.upload(patches_of_every_kind());
     const Instance instance{.mesh = mesh, .model = translated({0, 1.7F, -3})};
     const std::array instances{instance, Instance{.mesh = patchwork, .model = instance.model}};
     const PointLight light;
