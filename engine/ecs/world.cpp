@@ -78,6 +78,11 @@ void World::fail_access(std::uint32_t number, bool write) const {
 
 namespace {
 
+/// Index of a component's value in Table::cells, as World::place_of() for a type that is known.
+std::uint32_t place_in_cells(const ComponentInfo& info, Entity entity, std::uint32_t row) {
+    return info.stays_in_place ? entity.index : row;
+}
+
 /// Number of rows for which a new table (of entities with the same components) has room. Few entities have a
 /// large component, such as the points of a stroke, so a table with one begins small. It then needs no memory
 /// beyond TableMemory, which is allocated at the start.
@@ -220,7 +225,7 @@ void World::add_bytes(Entity entity, std::uint32_t component, const void* bytes)
     } else {
         const auto size = infos_[component].size;
         const auto [array, row] = extend(entity, component);
-        const auto place = infos_[component].stays_in_place ? entity.index : row;
+        const auto place = place_in_cells(infos_[component], entity, row);
         std::memcpy(array + std::size_t{place} * size, bytes, size);
     }
     ++counts_[component];
@@ -245,7 +250,7 @@ const void* World::find_bytes(Entity entity, std::uint32_t component) const {
     if (!alive(entity)) return nullptr;
     const auto& r = records_[entity.index];
     const auto* cells = tables_[r.table]->cells[component];
-    const auto place = infos_[component].stays_in_place ? entity.index : r.row;
+    const auto place = place_in_cells(infos_[component], entity, r.row);
     return cells == nullptr ? nullptr : cells + std::size_t{place} * infos_[component].size;
 }
 

@@ -371,7 +371,7 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
 
 /// Work of the forces that have not acted yet, for the budget of an offset that may fade in this tick (J). In
 /// a quiet tick no offset fades. The result is then 0, because computing the motion of the tip would take a
-/// third of the time of the step.
+/// third of the time of the step. The conditions are those on which make_safe() begins a fade or goes on.
 double work_beside_fade(const Servo& servo, const ServoState& state, const Tip& tip) {
     const SafetyState& safety = state.safety;
     const bool may_fade = safety.fade != static_cast<std::uint32_t>(Fade::over) || safety.gate_open == 0 ||

@@ -56,7 +56,7 @@ struct BellAxis {
 using BellAxes = std::array<BellAxis, 3>;
 
 /// Computes the weights of the voxels of `part`, from 0 to 1. Returns the number of weights. `last` keeps
-/// what may serve for the next part.
+/// the factors of this part along each axis, since the next part often has the same along some axes.
 std::size_t weigh(const Footprint& footprint, const VoxelBox& part, BellAxes& last, PartWeights& weights);
 
 /// Largest product of a filter's rate and time in one edit. exp(-max_amount) is close to the least normal

@@ -26,7 +26,7 @@
 
 namespace thaum::gesture {
 
-/// Which strokes are templates, and which are tested (see the top of this file).
+/// How an evaluation divides the strokes into templates and tested strokes (see the top of this file).
 enum class Protocol : std::uint8_t { user_dependent, leave_user_out, random };
 
 /// The protocol with this name; std::nullopt: there is none.

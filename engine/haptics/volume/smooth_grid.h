@@ -44,7 +44,8 @@ struct SmoothGrid {
     bool coarse_steps{};        ///< as in field::BlockAverages, for sample_box()
 
     field::Scalar operator()(vec3 place) const;
-    /// As operator(), but near the border the gradient, too, uses the border sample for samples beyond it.
+    /// Value and gradient at a place, as by operator(). But near the border, the gradient takes the border
+    /// sample for samples beyond it, as the value does.
     field::Scalar ending_level(vec3 place) const;
     /// The box of the samples. A picture shows them, linear between them.
     field::SampleBox sample_box() const;

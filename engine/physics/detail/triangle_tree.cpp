@@ -33,9 +33,9 @@ double least_but(std::size_t count, std::span<double> numbers) {
 /// A search on its way through the tree.
 struct TriangleTree::Search {
     vec3 point;
-    std::array<float, 3> near;  ///< the point, rounded
-    double margin;              ///< what rounding may add to the distance of a box (m)
-    Nearby found;               ///< what is known of each triangle before it is measured
+    std::array<float, 3> near;  ///< the point, rounded to single precision (m)
+    double margin;              ///< largest error of a box's distance by rounding (m)
+    Nearby found;               ///< the body to which all triangles belong; each triangle's own fields follow
     NearestSurfaces& into;
     /// Distance beyond which no triangle is wanted (m), and the square of that of a box.
     double limit{};
@@ -46,7 +46,8 @@ struct TriangleTree::Search {
     bool at_once = false;    ///< each triangle is measured and given to the result when it is met
 
     void set_limit(double distance) {
-        constexpr double rounding = 1 + 1e-6;  // of a large distance's square in single precision
+        // Factor that covers the rounding of a large distance's square to single precision.
+        constexpr double rounding = 1 + 1e-6;
         limit = distance;
         limit2 = above(rounding * (limit + margin) * (limit + margin));
     }
