@@ -8,3 +8,4 @@ thaum_test(test_new_jacket
     THREADS NewJacketThreads.*)
 thaum_test(test_new_event SOURCES seams/event_test.cpp LINK thaum_duel)
 thaum_test(test_new_potion SOURCES seams/potion_test.cpp LINK thaum_duel)
+thaum_test(test_added_files SOURCES seams/added_files_test.cpp LINK thaum_duel)

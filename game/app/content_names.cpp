@@ -58,11 +58,11 @@ std::map<std::string, FolderRule> folder_rules() {
             {"scenarios", {{".lua"}}},
             {"shaders", {{".vert", ".frag", ".glsl"}}},
             {"sounds", {{".toml", ".md"}}},
-            {"spells", {data, names_of(spell_kinds()), "spell of this program"}},
+            {"spells", {data}},
             {"tactile", {data, {"sound"}, "file about the body"}},
             {"tactile/effects", {{".toml", ".tact"}}},
             {"tactile/layouts", {data}},
-            {"wands", {data, names_of(wand_kinds()), "wand of this program"}},
+            {"wands", {data}},
             {"wizards", {data, {"wizard"}, "wizard"}}};
 }
 

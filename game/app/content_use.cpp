@@ -29,7 +29,7 @@ void find_dear_spells(const MatchData& reading, std::vector<MissingName>& faults
     for (const auto& spell : reading.spells)
         if (reading.casting && spell.stats.focus > reading.casting->focus_cap)
             faults.push_back(
-                {.file = text("spells/", spell.kind->name, ".toml"),
+                {.file = text("spells/", spell.name, ".toml"),
                  .table = "",
                  .key = "focus",
                  .words = text("is ", spell.stats.focus, ", and a wizard has at most ",
@@ -39,7 +39,7 @@ void find_dear_spells(const MatchData& reading, std::vector<MissingName>& faults
 void find_dear_wands(const MatchData& reading, std::vector<MissingName>& faults) {
     for (const auto& wand : reading.wands)
         if (wand.stats.energy_cost > wand.stats.energy_cap)
-            faults.push_back({.file = text("wands/", wand.kind->name, ".toml"),
+            faults.push_back({.file = text("wands/", wand.name, ".toml"),
                               .table = "energy",
                               .key = "cost",
                               .words = text("is ", wand.stats.energy_cost, ", and the wand has at most ",
@@ -52,10 +52,10 @@ void find_same_names(const MatchData& reading, std::vector<MissingName>& faults)
             return other.stats.shown == spell->stats.shown;
         });
         if (same == spell) continue;
-        faults.push_back({.file = text("spells/", spell->kind->name, ".toml"),
+        faults.push_back({.file = text("spells/", spell->name, ".toml"),
                           .table = "look",
                           .key = "shown",
-                          .words = text("is '", spell->stats.shown, "', as that of spells/", same->kind->name,
+                          .words = text("is '", spell->stats.shown, "', as that of spells/", same->name,
                                         ".toml: nobody could tell them apart")});
     }
 }

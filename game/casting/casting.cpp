@@ -75,7 +75,7 @@ void cast(MatchContext& context, const Caster& caster, const LoadedSpell& spell,
     const auto& rules = *context.data.casting;
     const bool harsh = force >= rules.harsh_from;
     const double cost = spell.stats.focus * (harsh ? rules.harsh_cost : 1);
-    const auto number = static_cast<std::uint32_t>(spell.kind - spell_kinds().data());
+    const auto number = static_cast<std::uint32_t>(&spell - context.data.spells.data());
     auto& focus = context.world.get<Focus>(caster.wizard);
     const auto tell = [&](EventKind kind, double amount) {
         record(context, event_of(context, caster, kind, number, amount));

@@ -5,7 +5,6 @@
 #include "core/text.h"
 #include "game/components/power_up.h"
 #include "game/data/presentation.h"
-#include "game/data/spell.h"
 
 namespace thaum::game::inline data {
 namespace {
@@ -34,8 +33,13 @@ std::string effect_words(const Event& event, const BrewWords& brew) {
     return event.detail < brew.potions.size() ? brew.potions[event.detail].effect : std::string();
 }
 
-std::string word_of(EventWord word, const Event& event, const PlayerNames& names, const BrewWords& brew,
+std::string spell_words(const Event& event, const Presentation& shown) {
+    return event.detail < shown.spells.size() ? capitalised(shown.spells[event.detail].name) : std::string();
+}
+
+std::string word_of(EventWord word, const Event& event, const PlayerNames& names, const Presentation& shown,
                     std::string_view thing) {
+    const auto& brew = shown.brew;
     const auto named = [&](std::uint32_t player) {
         return player < players ? std::string(name_of(names, player)) : std::string();
     };
@@ -45,7 +49,7 @@ std::string word_of(EventWord word, const Event& event, const PlayerNames& names
         case EventWord::cause: return cause_words(event, thing);
         case EventWord::power_up: return power_up_words(event);
         case EventWord::amount: return text(std::lround(event.amount));
-        case EventWord::spell: return capitalised(name_of_spell(event.detail));
+        case EventWord::spell: return spell_words(event, shown);
         case EventWord::gain:
             return event.detail == static_cast<std::uint32_t>(PowerUpKind::spark) ? "energy" : "health";
         case EventWord::potion: return potion_words(event, brew);
@@ -69,11 +73,11 @@ const std::string& feed_pattern(const EventRow& row, const Event& event) {
 }
 
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
-                        std::string_view thing, const BrewWords& brew) {
+                        std::string_view thing, const Presentation& shown) {
     std::string out;
     for (const auto& piece : pieces_of(pattern)) {
         out += piece.plain;
-        if (piece.word) out += word_of(*piece.word, event, names, brew, thing);
+        if (piece.word) out += word_of(*piece.word, event, names, shown, thing);
     }
     return out;
 }

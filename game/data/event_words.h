@@ -11,10 +11,10 @@
 namespace thaum::game::inline data {
 
 /// Replaces the names in braces in a pattern (game/data/presentation.h), such as {by} and {cause}. `thing` is
-/// the thing that caused the event, such as "barrel"; empty: no thing did. `brew` names potions and
-/// ingredients.
+/// the thing that caused the event, such as "barrel"; empty: no thing did. `shown` names spells,
+/// potions and ingredients.
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
-                        std::string_view thing = {}, const BrewWords& brew = {});
+                        std::string_view thing = {}, const Presentation& shown = {});
 
 /// Whether the event was caused by the affected player or by nobody, but not by another player.
 bool is_alone(const Event& event);

@@ -9,110 +9,12 @@
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/components/potions.h"
+#include "game/data/data_loader.h"
 #include "game/data/name_finder.h"
 #include "gesture/gesture_file.h"
 
 namespace thaum::game::inline data {
 namespace {
-
-constexpr std::size_t max_data_file = 1U << 20U;
-/// Top-level tables of data files that no match reads: how events and things are shown, and the places of
-/// practice. Their values are not hashed.
-constexpr std::array<std::string_view, 4> unhashed_tables{"event", "look", "range", "sound"};
-
-/// Reads data files, stores the hash of each file's values, and applies overrides.
-class Loader {
-public:
-    Loader(const std::filesystem::path& assets, MatchData& data)
-        : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
-
-    /// Reads a file with read(Config) and returns its value, or a default value if there is no such file. All
-    /// faults are added to `error`. `decides`: the file can change a match, so the hash of its values is
-    /// stored.
-    template <class Read>
-    auto load(const std::string& name, Read read, bool decides = true)
-        -> decltype(read(std::declval<const Config&>())) {
-        using Value = decltype(read(std::declval<const Config&>()));
-        auto config = open(name, decides);
-        if (!config) {
-            keep(name, config.error());
-            return Value{};
-        }
-        auto value = read(*config);
-        if (const auto checked = config->check(); !checked) keep(name, checked.error());
-        return value;
-    }
-
-    /// Whether the file of this name was read without a fault.
-    bool is_sound(const std::string& name) const {
-        return std::find(faulty_.begin(), faulty_.end(), name) == faulty_.end();
-    }
-
-    /// Checks a file against other files, once those were read: `report` reports errors at lines of `file`.
-    /// Does nothing without the file.
-    template <class Report>
-    void check_across(const std::optional<Config>& file, Report report) {
-        if (!file) return;
-        report(file->root());
-        if (const auto checked = file->check(); !checked) add_faults(error, checked.error());
-    }
-
-    void check_overrides() {
-        for (std::size_t i = 0; i < used_.size(); ++i) {
-            if (!used_[i]) {
-                refuse({text(
-                    "--set ", data_.choice.overrides[i],
-                    ": must be FILE.KEY=VALUE with a data file of this match, such as bolt.shot.damage=12")});
-            }
-        }
-    }
-
-    const std::filesystem::path& assets() const { return assets_; }
-
-    /// Adds an error that belongs to no single file, or that the reader of a file returns.
-    void refuse(const Error& fault) { add_faults(error, fault); }
-
-    /// Name of a file in messages: "assets/orb.toml".
-    std::string shown(const std::string& name) const { return shown_path(assets_, name); }
-
-    std::optional<Error> error;
-
-private:
-    void keep(const std::string& name, const Error& fault) {
-        faulty_.push_back(name);
-        add_faults(error, fault);
-    }
-
-    Expected<Config> open(const std::string& name, bool decides) {
-        const auto source = read_text_file(assets_ / name, max_data_file);
-        if (!source) return source.error();
-        auto config = Config::parse(*source, shown(name), 1);
-        if (!config) return config;
-        if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
-        const auto stem = std::filesystem::path(name).stem().string() + ".";
-        for (std::size_t i = 0; i < data_.choice.overrides.size(); ++i) {
-            const std::string_view entry = data_.choice.overrides[i];
-            const auto equals = entry.find('=');
-            if (equals == std::string_view::npos || !entry.starts_with(stem)) continue;
-            used_[i] = true;
-            const auto replaced =
-                config->replace(entry.substr(stem.size(), equals - stem.size()), entry.substr(equals + 1));
-            if (!replaced) return replaced.error();
-        }
-        return config;
-    }
-
-    const std::filesystem::path& assets_;
-    MatchData& data_;
-    std::vector<bool> used_;
-    std::vector<std::string> faulty_;  ///< names of files with a fault
-};
-
-bool plain_name(std::string_view name) {
-    return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-    });
-}
 
 constexpr std::array<std::string_view, 2> rule_sets{"thaum", "classic"};
 Expected<void> check_name(const std::vector<std::string>& known, std::string_view name,
@@ -151,7 +53,7 @@ Expected<void> check_arena_name(const std::filesystem::path& assets, const std::
 }
 
 /// If a wand uses the energy of another wand, gives both the same cap. `files` are the files of the wands.
-void share_energies(MatchData& data, const std::vector<std::optional<Config>>& files, Loader& loader) {
+void share_energies(MatchData& data, const std::vector<std::optional<Config>>& files, DataLoader& loader) {
     for (std::size_t i = 0; i < data.wands.size(); ++i) {
         auto& wand = data.wands[i];
         if (wand.stats.energy_slot == wand.stats.slot) continue;
@@ -173,8 +75,7 @@ void share_energies(MatchData& data, const std::vector<std::optional<Config>>& f
 void refuse_taken_slot(const std::vector<LoadedWand>& before, const LoadedWand& wand, const Config& file) {
     for (const auto& other : before) {
         if (other.stats.slot != wand.stats.slot) continue;
-        file.root().report("slot",
-                           text("'slot' is ", wand.stats.slot + 1, ", where ", other.kind->name, " is"));
+        file.root().report("slot", text("'slot' is ", wand.stats.slot + 1, ", where ", other.name, " is"));
     }
 }
 
@@ -198,7 +99,7 @@ void check_bowl(const ConfigTable& arena, const MatchData& data) {
 
 /// Loads the rules of the cauldron. `arena`: the arena's file, whose bowl and niches (places of ingredients)
 /// the rules must suit.
-void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& loader) {
+void load_cauldron(MatchData& data, const std::optional<Config>& arena, DataLoader& loader) {
     data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
     if (!loader.is_sound("cauldron.toml")) return;
     loader.check_across(arena, [&](const ConfigTable& root) {
@@ -208,7 +109,7 @@ void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& 
 }
 
 /// Loads the simulated device named in haptics.toml from the device's own file.
-void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
+void load_device(MatchData& data, const std::optional<Config>& haptics, DataLoader& loader) {
     const auto name = data.haptic_rules.device;
     const auto file = text("devices/", name, ".toml");
     std::error_code ignored;
@@ -247,23 +148,25 @@ std::shared_ptr<Presentation> begun_presentation(const MatchData& data) {
                              : std::make_shared<Presentation>();
 }
 
-/// Loads all wands of this program, and how they and all events are shown.
-void load_wands(MatchData& data, Loader& loader) {
+/// Loads all wands, and how they and all events are shown.
+void load_wands(MatchData& data, DataLoader& loader) {
     std::vector<std::optional<Config>> files;
     std::vector<WandSounds> sounds;
     auto shown = begun_presentation(data);
     shown->events = loader.load("events.toml", read_event_rows, false);
     // Makes room for all kinds of event: if events.toml has an error, the list is empty.
     shown->events.resize(event_kinds().kinds.size());
-    for (const auto& kind : wand_kinds()) {
+    const auto names = loader.names_of_kinds(wand_kinds(), "wands");
+    for (const auto& name : names) {
         const auto read = [&](const Config& file) {
-            auto wand = read_wand(kind, file);
-            read_hit_rows(file.root(), kind.hits, shown->events);
+            auto wand = read_wand(name, file);
+            if (wand.kind == nullptr) return wand;
+            read_hit_rows(file.root(), wand.kind->name == name, wand.kind->hits, shown->events);
             sounds.push_back(read_wand_sounds(file.root()));
             refuse_taken_slot(data.wands, wand, file);
             return wand;
         };
-        const auto path = text("wands/", kind.name, ".toml");
+        const auto path = text("wands/", name, ".toml");
         auto wand = loader.load(path, noting(files.emplace_back(), read));
         if (loader.is_sound(path)) {
             data.wands.push_back(std::move(wand));
@@ -272,10 +175,10 @@ void load_wands(MatchData& data, Loader& loader) {
             sounds.resize(data.wands.size());
         }
     }
-    if (data.wands.size() == wand_kinds().size()) share_energies(data, files, loader);
+    if (data.wands.size() == names.size()) share_energies(data, files, loader);
     for (std::size_t i = 0; i < data.wands.size(); ++i) {
         const auto& wand = data.wands[i];
-        shown->wands.push_back({.name = std::string(wand.kind->name),
+        shown->wands.push_back({.name = wand.name,
                                 .slot = wand.stats.slot,
                                 .look = wand.look,
                                 .sounds = i < sounds.size() ? sounds[i] : WandSounds(),
@@ -285,30 +188,10 @@ void load_wands(MatchData& data, Loader& loader) {
     data.presentation = std::move(shown);
 }
 
-/// Names of all data files of a folder, without .toml, sorted. Files with unsuitable names are reported.
-std::vector<std::string> names_in(Loader& loader, const std::string& folder) {
-    std::vector<std::string> names;
-    const auto files = files_in(loader.assets() / folder, ".toml");
-    if (!files) {
-        loader.refuse(files.error());
-        return names;
-    }
-    for (const auto& file : *files) {
-        const auto name = file.stem().string();
-        if (plain_name(name))
-            names.push_back(name);
-        else
-            loader.refuse(
-                {text(loader.shown(folder), "/", printable(name, 64),
-                      ".toml: the name of a data file may have a-z, 0-9 and _, at most 64 of them")});
-    }
-    return names;
-}
-
-void load_gestures(MatchData& data, Loader& loader) {
+void load_gestures(MatchData& data, DataLoader& loader) {
     std::vector<gesture::Gesture> gestures;
     std::vector<std::string> files;
-    const auto names = names_in(loader, "gestures");
+    const auto names = loader.names_in("gestures");
     for (const auto& name : names) {
         const auto file = text("gestures/", name, ".toml");
         auto read = loader.load(file, [](const Config& config) {
@@ -350,27 +233,27 @@ void check_spell(const MatchData& data, const LoadedSpell& spell, const Config& 
                                 did_you_mean(gesture, data.gestures->gestures(), &gesture::Gesture::name)));
     for (const auto& other : data.spells) {
         if (other.stats.gesture == gesture)
-            file.root().report("gesture",
-                               text("'gesture' is '", gesture, "', which casts ", other.kind->name));
+            file.root().report("gesture", text("'gesture' is '", gesture, "', which casts ", other.name));
         if (other.stats.slot == spell.stats.slot)
             file.root().report("slot",
-                               text("'slot' is ", spell.stats.slot + 1, ", where ", other.kind->name, " is"));
+                               text("'slot' is ", spell.stats.slot + 1, ", where ", other.name, " is"));
     }
 }
 
 /// Loads gestures and spells, if the rule set has them.
-void load_spells(MatchData& data, Loader& loader) {
+void load_spells(MatchData& data, DataLoader& loader) {
     if (!data.rules.spells) return;
     load_gestures(data, loader);
     data.casting = loader.load("casting.toml",
                                [](const Config& file) { return std::optional(read_casting_rules(file)); });
     auto shown = begun_presentation(data);
-    for (const auto& kind : spell_kinds()) {
-        const auto path = text("spells/", kind.name, ".toml");
+    for (const auto& name : loader.names_of_kinds(spell_kinds(), "spells")) {
+        const auto path = text("spells/", name, ".toml");
         auto loaded = loader.load(path, [&](const Config& file) {
-            auto spell = read_spell(kind, file);
+            auto spell = read_spell(name, static_cast<std::uint32_t>(data.spells.size()), file);
+            if (spell.kind == nullptr) return std::optional(std::move(spell));
             check_spell(data, spell, file);
-            auto& shown_spell = shown->spells.emplace_back(read_spell_presentation(kind.name, file.root()));
+            auto& shown_spell = shown->spells.emplace_back(read_spell_presentation(name, file.root()));
             shown_spell.shown = spell.stats.shown;
             shown_spell.gesture = spell.stats.gesture;
             shown_spell.slot = spell.stats.slot;
@@ -383,7 +266,8 @@ void load_spells(MatchData& data, Loader& loader) {
 }
 
 /// Reports recipes with the same ingredients, because nothing would tell which of them a brew follows.
-void check_different(const std::vector<Recipe>& recipes, const std::optional<Config>& file, Loader& loader) {
+void check_different(const std::vector<Recipe>& recipes, const std::optional<Config>& file,
+                     DataLoader& loader) {
     const auto& last = recipes.back();
     const auto like_last = [&](const Recipe& other) {
         return std::equal(other.ingredients.begin(), other.ingredients.end(), last.ingredients.begin(),
@@ -399,8 +283,8 @@ void check_different(const std::vector<Recipe>& recipes, const std::optional<Con
 }
 
 /// Loads all recipes of assets/potions.
-void load_recipes(MatchData& data, Loader& loader) {
-    const auto names = names_in(loader, "potions");
+void load_recipes(MatchData& data, DataLoader& loader) {
+    const auto names = loader.names_in("potions");
     if (names.size() > max_potions)
         return loader.refuse({text(loader.shown("potions"), ": more than ", max_potions, " potions")});
     std::vector<std::string> gestures;
@@ -420,7 +304,7 @@ void load_recipes(MatchData& data, Loader& loader) {
 }
 
 /// Loads the rules of the orb, if arena and rule set have one.
-void load_orb(MatchData& data, Loader& loader) {
+void load_orb(MatchData& data, DataLoader& loader) {
     if (!data.rules.cauldron || !data.rules.spells || orb_of(data.arena) == nullptr) return;
     data.orb =
         loader.load("orb.toml", [](const Config& file) { return std::optional(read_orb_rules(file)); });
@@ -440,7 +324,7 @@ bool has_crystal(const Arena& arena) {
 
 /// Loads the tool of entry `i` in crystal.toml. `file`: crystal.toml.
 void load_crystal_tool(CrystalRules& rules, std::size_t i, const field::Materials& materials,
-                       const std::optional<Config>& file, Loader& loader) {
+                       const std::optional<Config>& file, DataLoader& loader) {
     const auto& name = rules.tool_names[i];
     const auto path = text("carving/", name, ".toml");
     std::error_code ignored;
@@ -461,7 +345,7 @@ void load_crystal_tool(CrystalRules& rules, std::size_t i, const field::Material
 }
 
 /// Loads the rules of crystals and the tools that they name.
-void load_crystal(MatchData& data, Loader& loader) {
+void load_crystal(MatchData& data, DataLoader& loader) {
     std::optional<Config> file;
     auto rules = loader.load("crystal.toml", noting(file, read_crystal_rules));
     const auto materials = loader.load(
@@ -527,7 +411,7 @@ MatchReading read_match_data(const std::filesystem::path& assets, const DataChoi
         reading.error = known.error();
         return reading;
     }
-    Loader loader(assets, data);
+    DataLoader loader(assets, data);
     std::optional<Config> arena_file, haptics_file;
     const auto read_whole_arena = [&](const Config& file) {
         data.look = read_arena_look(file);

@@ -30,6 +30,10 @@ struct DataChoice {
     std::string match = "quick";  ///< length of the match: quick, standard or another file of assets/rules
     /// Values that replace those of data files, such as "bolt.shot.damage=12": file, key path, value.
     std::vector<std::string> overrides{};
+    /// Names of the files that may be read, as LogHeader::files has them, so that a file added since a
+    /// recording does not change its match; std::nullopt: all. It concerns the folders of which a match reads
+    /// every file: gestures, potions, spells and wands.
+    std::optional<std::vector<std::string>> files{};
 };
 
 struct MatchData {
@@ -50,12 +54,14 @@ struct MatchData {
     /// Rules of the orb; std::nullopt if the rule set has no cauldron or no spells, or if the arena has no
     /// orb.
     std::optional<OrbRules> orb;
-    /// Wands, sorted by the name of the kind; with the changes that the rule set makes.
+    /// Wands, with the changes that the rule set makes: first those whose files have the names of their kinds,
+    /// then the others, both sorted by name.
     std::vector<LoadedWand> wands;
     /// Gestures of assets/gestures. Empty if the rule set has no spells.
     std::shared_ptr<const GestureSet> gestures;
     std::optional<CastingRules> casting;
-    std::vector<LoadedSpell> spells;                   ///< spells, sorted by the name of the kind
+    /// Spells, in the same order as wands. A spell's number is its index here.
+    std::vector<LoadedSpell> spells;
     std::shared_ptr<const Presentation> presentation;  ///< how the match is shown; never null after loading
     /// All files that affect a match, each with the hash of its values before overrides.
     std::vector<input::DataFile> files;

@@ -133,7 +133,14 @@ EventRows read_event_rows(const Config& file) {
     return rows;
 }
 
-void read_hit_rows(const ConfigTable& wand, const std::vector<HitKind>& hits, EventRows& rows) {
+void read_hit_rows(const ConfigTable& wand, bool is_own_file, const std::vector<HitKind>& hits,
+                   EventRows& rows) {
+    if (!is_own_file) {
+        if (wand.has("event"))
+            wand.report("event",
+                        "'event': the file with the name of the wand's kind says how hits are shown");
+        return;
+    }
     Known known{.names = {}, .whose = "this wand"};
     for (const auto& hit : hits) known.names.push_back(hit.name);
     if (!hits.empty() || wand.has("event")) read_rows(wand.table("event"), known, rows);

@@ -1,20 +1,24 @@
 #include "game/data/spell.h"
 
+#include <utility>
+
 namespace thaum::game::inline data {
 
-std::string_view name_of_spell(std::uint32_t number) {
-    return number < spell_kinds().size() ? spell_kinds()[number].name : std::string_view();
-}
-
-LoadedSpell read_spell(const SpellKind& kind, const Config& file) {
+LoadedSpell read_spell(std::string name, std::uint32_t number, const Config& file) {
     const auto root = file.root();
-    LoadedSpell spell{.kind = &kind};
+    LoadedSpell spell{.name = std::move(name)};
+    spell.kind = kind_of_file(spell_kinds(), root, spell.name, "spell");
+    if (spell.kind == nullptr) return spell;
     spell.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
     spell.stats.gesture = root.string("gesture");
     spell.stats.focus = root.number("focus", {0, 1e6});
     spell.stats.shown = root.table("look").string("shown");
-    spell.rules = kind.read(root);
+    spell.rules = spell.kind->read(root, number);
     return spell;
+}
+
+std::string_view name_of_spell(std::span<const LoadedSpell> spells, std::uint32_t number) {
+    return number < spells.size() ? std::string_view(spells[number].name) : std::string_view();
 }
 
 }  // namespace thaum::game::inline data

@@ -1,7 +1,9 @@
-// game/data/spell.h: the interface of spells. A spell is one data file (assets/spells/NAME.toml) and one .cpp
-// in game/spells that registers a SpellKind. The rest of the game uses spells only through this interface, so
-// a new spell changes no other file. Keys that every spell's file has:
+// game/data/spell.h: the interface of spells. A kind of spell is one .cpp in game/spells that registers a
+// SpellKind, with the data file assets/spells/KIND.toml. The rest of the game uses spells only through this
+// interface, so a new kind changes no other file. Further spells of a kind are data files alone. Keys that every
+// spell's file has:
 //
+//     kind = "shield"       # the kind; may be left out if it is the file's name
 //     slot = 1              # wand key that casts it without a stroke, while Trace is held
 //     gesture = "circle"    # name of a file of assets/gestures
 //     focus = 25            # focus of a gentle cast
@@ -13,6 +15,7 @@
 //     sign = "shell"        # what is seen in the world: none, shell, beads or dust (data/presentation.h)
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,29 +94,33 @@ public:
 
 /// One kind of spell, as its .cpp registers it.
 struct SpellKind {
-    std::string_view name;  ///< name of the spell and of its file assets/spells/NAME.toml
+    std::string_view name;  ///< name of the kind and of its own file assets/spells/NAME.toml
     /// Declares the spell's components.
     void (*declare)(ecs::World&);
-    /// Reads the numbers that only this spell has.
-    std::shared_ptr<const SpellRules> (*read)(const ConfigTable& root);
+    /// Reads the numbers that only this kind of spell has. `number`: number of the spell, by which states in
+    /// the World name it, since several spells may be of one kind.
+    std::shared_ptr<const SpellRules> (*read)(const ConfigTable& root, std::uint32_t number);
 };
 
 /// Registers a kind of spell when the program starts.
 using SpellRegistration = Registration<SpellKind>;
 
-/// All kinds, sorted by name. A spell's number is its index in this list.
+/// All kinds, sorted by name.
 inline const std::vector<SpellKind>& spell_kinds() { return registry_of<SpellKind>().all(); }
-
-/// Name of a spell by its number; empty for a number without a spell.
-std::string_view name_of_spell(std::uint32_t number);
 
 /// A kind of spell with the numbers from its data file.
 struct LoadedSpell {
+    std::string name;  ///< name of the spell and of its file
     const SpellKind* kind{};
     SpellStats stats{};
     std::shared_ptr<const SpellRules> rules{};
 };
 
-LoadedSpell read_spell(const SpellKind& kind, const Config& file);
+/// Reads the spell of this name and number. If its kind is unknown, reports that and returns a spell without
+/// rules.
+LoadedSpell read_spell(std::string name, std::uint32_t number, const Config& file);
+
+/// Name of a spell by its number; empty for a number without a spell.
+std::string_view name_of_spell(std::span<const LoadedSpell> spells, std::uint32_t number);
 
 }  // namespace thaum::game::inline data

@@ -1,10 +1,12 @@
-// game/data/wand.h: the interface of wands. A wand is one data file (assets/wands/NAME.toml) and one .cpp in
-// game/wands that registers a WandKind. The rest of the game uses wands only through this interface, so a
-// new wand changes no other file.
+// game/data/wand.h: the interface of wands. A kind of wand is one .cpp in game/wands that registers a WandKind,
+// with the data file assets/wands/KIND.toml. The rest of the game uses wands only through this interface, so a
+// new kind changes no other file. Further wands of a kind are data files alone: they say `kind = "bolt"`. Their
+// hits are those of the kind, whose own file says how these are shown.
 #pragma once
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/config.h"
@@ -112,7 +114,7 @@ public:
     WandRules& operator=(const WandRules&) = delete;
     virtual ~WandRules() = default;
 
-    /// Adds to a new wizard the components that this wand needs.
+    /// Adds to a new wizard the components that this kind of wand needs. Called for one wand of each kind.
     virtual void outfit(ecs::World& world, ecs::Entity wizard) const = 0;
     /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand and does not work
     /// at a station (cauldron, orb or crystal).
@@ -160,12 +162,13 @@ public:
 
 /// One kind of wand, as its .cpp registers it.
 struct WandKind {
-    std::string_view name;        ///< name of the wand and of its file assets/wands/NAME.toml
+    std::string_view name;        ///< name of the kind and of its own file assets/wands/NAME.toml
     std::vector<HitKind> hits{};  ///< kinds of hit by which the wand takes health
     /// Declares the wand's components.
     void (*declare)(ecs::World&);
-    /// Reads the numbers that only this wand has.
-    std::shared_ptr<const WandRules> (*read)(const ConfigTable& root);
+    /// Reads the numbers that only this kind of wand has. `slot`: slot of the wand, by which its missiles and
+    /// the states of hands name it, since several wands may be of one kind.
+    std::shared_ptr<const WandRules> (*read)(const ConfigTable& root, std::uint32_t slot);
 };
 
 /// Registers a kind of wand when the program starts.
@@ -176,13 +179,15 @@ inline const std::vector<WandKind>& wand_kinds() { return registry_of<WandKind>(
 
 /// A kind of wand with the numbers from its data file.
 struct LoadedWand {
+    std::string name;  ///< name of the wand and of its file
     const WandKind* kind{};
     WandStats stats{};
     std::shared_ptr<const WandRules> rules{};
     WandLook look{};
 };
 
-LoadedWand read_wand(const WandKind& kind, const Config& file);
+/// Reads the wand of this name. If its kind is unknown, reports that and returns a wand without rules.
+LoadedWand read_wand(std::string name, const Config& file);
 
 /// Speed to which `energy` accelerates a thing of `mass` kg from rest when it is thrown (m/s).
 double throw_speed(const GraspKind& grasp, double mass, double energy);

@@ -10,6 +10,10 @@ const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
     return found == data.wands.end() ? nullptr : &*found;
 }
 
+bool is_first_of_kind(const MatchData& data, const LoadedWand& wand) {
+    return &*std::ranges::find(data.wands, wand.kind, &LoadedWand::kind) == &wand;
+}
+
 std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step) {
     auto slot = from;
     for (std::size_t i = 0; i < wand_slots; ++i) {

@@ -8,6 +8,10 @@ namespace thaum::game::inline data {
 /// The wand in a slot; null if the slot is empty.
 const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot);
 
+/// Whether no wand before this one in `data.wands` has its kind. The states of a kind in a wizard's hand are
+/// shared by all wands of the kind.
+bool is_first_of_kind(const MatchData& data, const LoadedWand& wand);
+
 /// The next slot that holds a wand. A `step` of 1 searches forwards, wand_slots - 1 backwards.
 std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step);
 

@@ -34,7 +34,7 @@ void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, st
         const auto& row = row_of(picture.shown->events, fed.event.kind);
         const bool alone = is_alone(fed.event);
         const auto words =
-            event_words(feed_pattern(row, fed.event), fed.event, names, fed.thing, picture.shown->brew);
+            event_words(feed_pattern(row, fed.event), fed.event, names, fed.thing, *picture.shown);
         const auto who = alone ? fed.event.subject : fed.event.by;
         add_text_on_plate(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
                           opaque(team_colours(who).light), left ? Align::left : Align::right);

@@ -335,7 +335,7 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
     add(stroke.words, stroke.failed ? paints.light_red : paints.white);
     const bool given = captions && p.senses.since_gift_s <= gift_seconds;
     auto gift = given ? event_words(row_of(picture.shown->events, p.senses.gift.kind).caption, p.senses.gift,
-                                    settings.names, {}, picture.shown->brew)
+                                    settings.names, {}, *picture.shown)
                       : std::string();
     gift = with_controls(gift, settings.controls[player], *picture.shown);
     const bool fault_of_brew = p.senses.gift.kind == EventKind::brew_fault;

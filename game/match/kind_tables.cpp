@@ -1,12 +1,12 @@
 #include "game/match/kind_tables.h"
 
 #include <algorithm>
-#include <set>
 
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/components/power_up.h"
 #include "game/data/event_kinds.h"
+#include "game/data/spell.h"
 
 namespace thaum::game::inline match {
 namespace {
@@ -48,9 +48,8 @@ std::vector<KindTable> kind_tables(const MatchData& data) {
     }
     for (std::size_t i = 0; i < data.recipes.size(); ++i) add(i, data.recipes[i].name, potion);
     for (std::size_t i = 0; i < power_up_names.size(); ++i) add(i, power_up_names[i], power_up);
-    if (data.gestures)
-        for (std::size_t i = 0; i < spell_kinds().size(); ++i) add(i, spell_kinds()[i].name, spell);
-    for (const auto& loaded : data.wands) add(loaded.stats.slot + 1, loaded.kind->name, wand);
+    for (std::size_t i = 0; i < data.spells.size(); ++i) add(i, data.spells[i].name, spell);
+    for (const auto& loaded : data.wands) add(loaded.stats.slot + 1, loaded.name, wand);
     std::sort(wand.kinds.begin(), wand.kinds.end(),
               [](const Kind& a, const Kind& b) { return a.number < b.number; });
     std::vector<KindTable> tables{cause, event, ingredient};
@@ -62,18 +61,14 @@ std::vector<KindTable> kind_tables(const MatchData& data) {
 }
 
 std::string kind_difference(const std::vector<KindTable>& recorded, const std::vector<KindTable>& here) {
-    std::set<std::pair<std::string, std::uint16_t>> numbers;
-    for (const auto* tables : {&recorded, &here}) {
-        for (const auto& table : *tables) {
-            for (const auto& kind : table.kinds) numbers.emplace(table.group, kind.number);
+    for (const auto& table : recorded) {
+        for (const auto& kind : table.kinds) {
+            const auto current = kind_in_words(table_of(here, table.group), kind.number);
+            const auto there = kind_in_words(&table, kind.number);
+            if (there != current)
+                return text(in_one_line(table.group), " ", kind.number, " is ", there, " in the log and ",
+                            current, " in this program: replay the log with the program that recorded it");
         }
-    }
-    for (const auto& [group, number] : numbers) {
-        const auto there = kind_in_words(table_of(recorded, group), number);
-        const auto current = kind_in_words(table_of(here, group), number);
-        if (there != current)
-            return text(in_one_line(group), " ", number, " is ", there, " in the log and ", current,
-                        " in this program: replay the log with the program that recorded it");
     }
     return {};
 }

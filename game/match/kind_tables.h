@@ -8,12 +8,12 @@
 namespace thaum::game::inline match {
 
 /// Tables "cause", "event", "ingredient", "potion", "power_up", "spell" and "wand"; no "potion" if the data
-/// have no recipes, and no "spell" if they have no gestures. A wand's number is the number of its key, as in
+/// have no recipes, and no "spell" if they have no spells. A wand's number is the number of its key, as in
 /// input::DeviceSample::wand.
 std::vector<input::KindTable> kind_tables(const MatchData& data);
 
-/// First difference between the tables of a log and those of this program, in one line; empty if there is
-/// none.
+/// First kind of a log's tables whose number means another kind in this program, in one line; empty if there is
+/// none. Kinds that only this program has are no difference, because no state of the log contains them.
 std::string kind_difference(const std::vector<input::KindTable>& recorded,
                             const std::vector<input::KindTable>& here);
 

@@ -37,6 +37,12 @@ std::string changed_file(const std::vector<input::DataFile>& recorded,
     return {};
 }
 
+std::vector<std::string> names_of(const std::vector<input::DataFile>& files) {
+    std::vector<std::string> names;
+    for (const auto& file : files) names.push_back(file.name);
+    return names;
+}
+
 }  // namespace
 
 input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
@@ -112,6 +118,7 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
     choice.rules = header.rule_set;
     choice.arena = header.arena;
     choice.overrides = header.overrides;
+    choice.files = names_of(header.files);
     for (const auto& parameter : header.parameters) {
         if (!parameter.starts_with(match_parameter)) return fail(text("unknown parameter '", parameter, "'"));
         choice.match = parameter.substr(match_parameter.size());

@@ -44,7 +44,8 @@ void spawn_wizards(MatchContext& context) {
                                     Look{Surface::wizard}, standing_at(rules, pad.feet));
         if (context.data.cauldron) world.add(e, Potions{});
         if (context.data.crystal) world.add(e, Lens{});
-        for (const auto& wand : context.data.wands) wand.rules->outfit(world, e);
+        for (const auto& wand : context.data.wands)
+            if (is_first_of_kind(context.data, wand)) wand.rules->outfit(world, e);
         if (context.data.casting) world.add(e, Focus{context.data.casting->focus_cap});
         if (context.data.casting) world.add(e, LastProp{});
         if (context.data.casting) world.add(e, LastReading{.gesture = no_gesture, .nearest = no_gesture});

@@ -65,7 +65,7 @@ std::string wand_of(const Simulation& match, std::uint32_t player) {
     if (player >= players) return {};
     const auto wizard = wizard_of(match.world(), player);
     const auto* wand = wand_in_hand(match.data(), match.world().get<WandBelt>(wizard));
-    return wand != nullptr ? std::string(wand->kind->name) : std::string();
+    return wand != nullptr ? wand->name : std::string();
 }
 
 std::string name_of_kind(std::uint32_t kind) {
@@ -99,7 +99,7 @@ std::string with_what(EventWith with, const Event& event, const Simulation& matc
         case EventWith::power_up:
             return event.detail < power_up_names.size() ? std::string(power_up_names[event.detail]) : "";
         case EventWith::ingredient: return name_of_ingredient(match.data(), event.detail);
-        case EventWith::spell: return std::string(name_of_spell(event.detail));
+        case EventWith::spell: return std::string(name_of_spell(match.data().spells, event.detail));
         case EventWith::gesture: return name_of_gesture(match.context(), event.by, event.detail);
         case EventWith::potion: return std::string(brew_words_of(match.data()).potion(event.detail));
         case EventWith::fault: return std::string(name_of_fault(static_cast<BrewFault>(event.detail)));
@@ -262,7 +262,7 @@ std::string state_header(const Simulation& match) {
                                    "dead", "health_hp", "wand"})
             append_text(out, text(",p", player, "_", column));
         for (const auto& wand : match.data().wands)
-            append_text(out, text(",p", player, "_energy_", wand.kind->name));
+            append_text(out, text(",p", player, "_energy_", wand.name));
     }
     return out + "\n";
 }

@@ -85,7 +85,7 @@ void take_arc(const Simulation& match, ecs::Entity wizard, const ShotKind& shot,
 
 void take_belt(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, const WandBelt& belt,
                PlayerPicture& out) {
-    out.wand.name = wand == nullptr ? std::string_view{} : wand->kind->name;
+    out.wand.name = wand == nullptr ? std::string_view{} : std::string_view(wand->name);
     out.wand.number = wand == nullptr ? 0 : static_cast<std::uint32_t>(wand - match.data().wands.data());
     out.wand.energy = energy_in_hand(match.data(), belt);
     out.wand.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;

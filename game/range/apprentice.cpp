@@ -66,7 +66,7 @@ bool is_near(vec3 feet, vec3 place, double within) {
 }
 
 double readiness_of(const Simulation& match, ecs::Entity wizard, const Hand& hand, std::string_view wand) {
-    if (hand.wand == nullptr || hand.wand->kind->name != wand) return 0;
+    if (hand.wand == nullptr || hand.wand->name != wand) return 0;
     return hand.wand->rules->readiness(match.world(), wizard).value_or(0);
 }
 

@@ -25,9 +25,11 @@ struct RecallData {
 /// The thing that flies back to a wizard. A wizard has this component only during the flight.
 struct Recalled {
     ecs::Entity thing{};
-    Tick until{};       ///< tick at which the thing falls if it has not arrived
-    double strength{};  ///< strength of the spell: 1 for a gentle stroke, more for a harsh (forceful) one
-    THAUM_COMPONENT(Recalled, thing, until, strength);
+    Tick until{};           ///< tick at which the thing falls if it has not arrived
+    double strength{};      ///< strength of the spell: 1 for a gentle stroke, more for a harsh (forceful) one
+    std::uint32_t spell{};  ///< number of the spell
+    std::uint32_t spare{};
+    THAUM_COMPONENT(Recalled, thing, until, strength, spell, spare);
 };
 
 constexpr double arrived = 0.35;  ///< distance from its destination at which a thing counts as arrived (m)
@@ -195,7 +197,7 @@ constexpr double plenty = 0.6;
 
 class RecallSpell final : public SpellRules {
 public:
-    explicit RecallSpell(const ConfigTable& root) {
+    RecallSpell(const ConfigTable& root, std::uint32_t number) : number_(number) {
         data_.reach = root.number("reach_m", {0, 1000});
         data_.speed = root.number("speed_m_s", {0.1, 100});
         data_.acceleration = root.number("acceleration_m_s2", {0.1, 1e4});
@@ -218,7 +220,8 @@ public:
         auto& world = cast.context.world;
         const Recalled recalled{.thing = std::as_const(world).get<LastProp>(cast.wizard).thing,
                                 .until = cast.tick + data_.gives_up,
-                                .strength = cast.strength};
+                                .strength = cast.strength,
+                                .spell = number_};
         if (auto* flying = world.find<Recalled>(cast.wizard))
             *flying = recalled;
         else
@@ -238,21 +241,23 @@ public:
 
 private:
     RecallData data_;
+    std::uint32_t number_;
 };
 
 void RecallSpell::add_systems(const SpellSystems& to) const {
     auto& world = to.context.world;
-    to.schedule.add({.name = "recall",
-                     .period = physics_period,
-                     .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, WandBelt, Controls>(),
-                     .writes = writes_of_flight(to.context),
-                     .needs = world.mask<Recalled>(),
-                     .run = [&context = to.context, &data = data_](ecs::World& w, Tick tick) {
-                         w.view<const Recalled>().each([&](ecs::Entity wizard, const Recalled& recalled) {
-                             if (!fly(context, data, wizard, recalled, tick))
-                                 w.commands().remove<Recalled>(wizard);
-                         });
-                     }});
+    to.schedule.add(
+        {.name = "recall",
+         .period = physics_period,
+         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, WandBelt, Controls>(),
+         .writes = writes_of_flight(to.context),
+         .needs = world.mask<Recalled>(),
+         .run = [&context = to.context, &data = data_, number = number_](ecs::World& w, Tick tick) {
+             w.view<const Recalled>().each([&](ecs::Entity wizard, const Recalled& recalled) {
+                 if (recalled.spell == number && !fly(context, data, wizard, recalled, tick))
+                     w.commands().remove<Recalled>(wizard);
+             });
+         }});
 }
 
 const SpellRegistration registration({

@@ -44,8 +44,8 @@ struct Blast {
     /// 1: the shooter held the Lens (reward for carving) at the shot, so shields absorb none of the ball's
     /// harm
     std::uint32_t lens{};
-    std::uint32_t spare{};
-    THAUM_COMPONENT(Blast, position, velocity, charge, dies_at, player, shooter, lens, spare);
+    std::uint32_t slot{};  ///< slot of the wand that shot it
+    THAUM_COMPONENT(Blast, position, velocity, charge, dies_at, player, shooter, lens, slot);
 };
 
 /// State of the blast wand in a wizard's hand.
@@ -56,8 +56,8 @@ struct BlastHand {
     Tick began{};
     Tick went_off{};           ///< tick of the last shot, at which the recoil began
     std::uint32_t charging{};  ///< 1 while fire is held
-    std::uint32_t spare{};
-    THAUM_COMPONENT(BlastHand, charge, affordable, leaning, began, went_off, charging, spare);
+    std::uint32_t slot{};      ///< slot of the wand that charges, or has been shot last
+    THAUM_COMPONENT(BlastHand, charge, affordable, leaning, began, went_off, charging, slot);
 };
 
 BlastData read(const ConfigTable& root) {
@@ -114,7 +114,8 @@ void shoot(const WandUse& use, const BlastData& data, double charge) {
                                   .dies_at = use.tick + data.life,
                                   .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                   .shooter = use.wizard.index,
-                                  .lens = holds_lens(world, use.wizard) ? 1U : 0U});
+                                  .lens = holds_lens(world, use.wizard) ? 1U : 0U,
+                                  .slot = use.stats.slot});
     note_shot(use, data.hit, muzzle.tip);
     recoil(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
 }
@@ -148,6 +149,7 @@ void fire(const WandUse& use, const BlastData& data) {
         hand.affordable = most;
         hand.began = use.tick;
         hand.charging = 1;
+        hand.slot = use.stats.slot;
         return;
     }
     hand.affordable = most;
@@ -155,7 +157,7 @@ void fire(const WandUse& use, const BlastData& data) {
     const bool goes_off = use.tick >= hand.began + data.from;
     const double charge = std::min(hand.charge, most);
     if (!goes_off || most < 0 || !spend(belt, use.stats, data.energy.at(charge))) return stop_charging(use);
-    hand = {.leaning = hand.charge, .went_off = use.tick};
+    hand = {.leaning = hand.charge, .went_off = use.tick, .slot = use.stats.slot};
     shoot(use, data, charge);
     give_way(use.context, data, use.wizard, use.tick, hand);
 }
@@ -167,14 +169,15 @@ void charge(MatchContext& context, const BlastData& data, ecs::Entity wizard, Ti
     set_steady_force(context, wizard, {0, 0, data.steady_force * hand.charge});
 }
 
-void add_force_systems(const WandSystems& to, const BlastData& data) {
+void add_force_systems(const WandSystems& to, const BlastData& data, std::uint32_t slot) {
     auto& world = to.context.world;
     to.schedule.add({.name = "blast charges",
                      .reads = world.mask<Wizard>(),
                      .writes = world.mask<BlastHand, HandState>(),
                      .needs = world.mask<BlastHand>(),
-                     .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
+                     .run = [&context = to.context, &data, slot](ecs::World& w, Tick tick) {
                          w.view<BlastHand>().each([&](ecs::Entity e, BlastHand& hand) {
+                             if (hand.slot != slot) return;
                              charge(context, data, e, tick, hand);
                              give_way(context, data, e, tick, hand);
                          });
@@ -201,9 +204,10 @@ void hit(MatchContext& context, const Blast& blast, const BlastData& data, vec3 
           tick);
 }
 
-void fly(MatchContext& context, const BlastData& data, Tick tick) {
+void fly(MatchContext& context, const BlastData& data, std::uint32_t slot, Tick tick) {
     auto& world = context.world;
     world.view<Blast>().each([&](ecs::Entity e, Blast& blast) {
+        if (blast.slot != slot) return;
         const vec3 way = blast.velocity * physics_dt;
         const auto at = context.physics.read().sweep_sphere(blast.position, blast.position + way, data.radius,
                                                             physics::all_layers, blast.shooter);
@@ -213,7 +217,7 @@ void fly(MatchContext& context, const BlastData& data, Tick tick) {
     });
 }
 
-void add_missile_systems(const WandSystems& to, const BlastData& data) {
+void add_missile_systems(const WandSystems& to, const BlastData& data, std::uint32_t slot) {
     auto& world = to.context.world;
     to.schedule.add(
         {.name = "blasts",
@@ -221,12 +225,14 @@ void add_missile_systems(const WandSystems& to, const BlastData& data) {
          .reads = world.mask<Body, Motion, Wizard, Dead, Crystal>(),
          .writes = world.mask<Blast, Health, Stance, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Blast>(),
-         .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});
+         .run = [&context = to.context, &data, slot](ecs::World&, Tick tick) {
+             fly(context, data, slot, tick);
+         }});
 }
 
 class BlastWand final : public WandRules {
 public:
-    explicit BlastWand(const ConfigTable& root) : data_(read(root)) {}
+    BlastWand(const ConfigTable& root, std::uint32_t slot) : data_(read(root)), slot_(slot) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, BlastHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -234,10 +240,11 @@ public:
     ecs::Mask writes(const ecs::World& world) const override {
         return world.mask<BlastHand, EventLog, Health, HandState, resource::Journal>();
     }
-    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
-    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_, slot_); }
+    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_, slot_); }
     void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {
         world.view<const Blast>().each([&](ecs::Entity e, const Blast& b) {
+            if (b.slot != slot_) return;
             show({.entity = e,
                   .position = b.position,
                   .velocity = b.velocity,
@@ -252,11 +259,13 @@ public:
                         .held = true};
     }
     std::optional<double> readiness(const ecs::World& world, ecs::Entity wizard) const override {
-        return world.get<BlastHand>(wizard).charge;
+        const auto& hand = world.get<BlastHand>(wizard);
+        return hand.slot == slot_ ? hand.charge : 0;
     }
 
 private:
     BlastData data_;
+    std::uint32_t slot_;
 };
 
 const WandRegistration registration({

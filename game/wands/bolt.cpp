@@ -35,7 +35,9 @@ struct Bolt {
     std::uint32_t player{};
     /// number of the shooter's body in the physics, which the bolt passes through
     std::uint32_t ignores{};
-    THAUM_COMPONENT(Bolt, position, velocity, dies_at, player, ignores);
+    std::uint32_t slot{};  ///< slot of the wand that shot it
+    std::uint32_t spare{};
+    THAUM_COMPONENT(Bolt, position, velocity, dies_at, player, ignores, slot, spare);
 };
 
 /// State of the bolt wand in a wizard's hand.
@@ -78,7 +80,8 @@ void shoot(const WandUse& use, const BoltData& data) {
                                  .velocity = scattered(muzzle.aim, data.spread, dice.spread) * data.speed,
                                  .dies_at = use.tick + data.life,
                                  .player = std::as_const(world).get<Wizard>(use.wizard).player,
-                                 .ignores = use.wizard.index});
+                                 .ignores = use.wizard.index,
+                                 .slot = use.stats.slot});
     note_shot(use, data.hit, muzzle.tip);
     recoil(use.context, use.wizard, data.recoil, data.recoil_length);
 }
@@ -111,9 +114,10 @@ void hit(MatchContext& context, const Bolt& bolt, const BoltData& data, const ph
     }
 }
 
-void fly(MatchContext& context, const BoltData& data, Tick tick) {
+void fly(MatchContext& context, const BoltData& data, std::uint32_t slot, Tick tick) {
     auto& world = context.world;
     world.view<Bolt>().each([&](ecs::Entity e, Bolt& bolt) {
+        if (bolt.slot != slot) return;
         const vec3 to = bolt.position + bolt.velocity * physics_dt;
         const auto at = context.physics.read().ray(bolt.position, to, physics::all_layers, bolt.ignores);
         if (at) hit(context, bolt, data, *at, tick);
@@ -122,7 +126,7 @@ void fly(MatchContext& context, const BoltData& data, Tick tick) {
     });
 }
 
-void add_missile_systems(const WandSystems& to, const BoltData& data) {
+void add_missile_systems(const WandSystems& to, const BoltData& data, std::uint32_t slot) {
     auto& world = to.context.world;
     to.schedule.add(
         {.name = "bolts",
@@ -130,21 +134,24 @@ void add_missile_systems(const WandSystems& to, const BoltData& data) {
          .reads = world.mask<Wizard, Dead, Crystal>(),
          .writes = world.mask<Bolt, Health, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Bolt>(),
-         .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});
+         .run = [&context = to.context, &data, slot](ecs::World&, Tick tick) {
+             fly(context, data, slot, tick);
+         }});
 }
 
 class BoltWand final : public WandRules {
 public:
-    explicit BoltWand(const ConfigTable& root) : data_(read(root)) {}
+    BoltWand(const ConfigTable& root, std::uint32_t slot) : data_(read(root)), slot_(slot) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, BoltHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
     ecs::Mask writes(const ecs::World& world) const override {
         return world.mask<BoltHand, Dice, EventLog, Health, HandState, resource::Journal>();
     }
-    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }
+    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_, slot_); }
     void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {
         world.view<const Bolt>().each([&](ecs::Entity e, const Bolt& b) {
+            if (b.slot != slot_) return;
             show({.entity = e, .position = b.position, .velocity = b.velocity, .player = b.player});
         });
     }
@@ -152,6 +159,7 @@ public:
 
 private:
     BoltData data_;
+    std::uint32_t slot_;
 };
 
 const WandRegistration registration({

@@ -73,8 +73,11 @@ struct LiftHand {
     Tick next_blow{};
     /// Tick until which a caught thing is held without fire; 0: it is held by fire.
     Tick caught_until{};
+    std::uint32_t slot{};  ///< slot of the wand that holds the thing
+    std::uint32_t spare{};
     THAUM_COMPONENT(LiftHand, held, turn, yaw, pitch, yaw_rate, pitch_rate, taken_object, taken_device, hip,
-                    base, base_velocity, coupling, metres_per_metre, impulse, next_blow, caught_until);
+                    base, base_velocity, coupling, metres_per_metre, impulse, next_blow, caught_until, slot,
+                    spare);
 };
 
 constexpr Tick between_blows = 40;  ///< minimum time between two felt blows on the held thing (ticks)
@@ -192,12 +195,13 @@ Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity 
     return {.kind = kind, .thing = thing, .mass = mass, .mass_share = mass / std::max(data.max_mass, 1e-9)};
 }
 
-void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::Entity thing,
-          LiftHand& hand) {
+void take(const WandUse& use, const LiftData& data, ecs::Entity thing, LiftHand& hand) {
+    const auto& context = use.context;
+    const auto wizard = use.wizard;
     const auto& const_world = std::as_const(context.world);
     const auto& gaze = const_world.get<Gaze>(wizard);
     const auto& body = context.physics.read().state(thing.index);
-    hand = {.held = thing, .yaw = gaze.yaw, .pitch = gaze.pitch};
+    hand = {.held = thing, .yaw = gaze.yaw, .pitch = gaze.pitch, .slot = use.stats.slot};
     hand.taken_device = const_world.get<HandState>(wizard).device.position;
     hand.taken_object =
         glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (body.position - sight_of(context, wizard).eye);
@@ -254,7 +258,7 @@ void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
     const auto thing = aimed_at(use.context, data, use.wizard);
     if (!thing) return;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
-    take(use.context, data, use.wizard, thing, hand);
+    take(use, data, thing, hand);
     // taking a thing up is an attack, which ends the wizard's protection
     world.get<Health>(use.wizard).shielded_until = use.tick;
     if (auto* last = world.find<LastProp>(use.wizard)) last->thing = thing;
@@ -267,7 +271,7 @@ bool catch_loose(const WandUse& use, const LiftData& data, ecs::Entity thing) {
     auto& hand = world.get<LiftHand>(use.wizard);
     const bool light = use.context.physics.read().desc(thing.index).mass <= data.max_mass;
     if (hand.held || !light || !spend(world.get<WandBelt>(use.wizard), use.stats)) return false;
-    take(use.context, data, use.wizard, thing, hand);
+    take(use, data, thing, hand);
     hand.caught_until = use.tick + data.caught;
     record(use.context, {.tick = use.tick,
                          .kind = EventKind::caught,
@@ -486,23 +490,24 @@ void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick 
     if (glm::distance(motion.hip, object) > data.lost) let_thing_go(context, wizard, hand);
 }
 
-void add_force_systems(const WandSystems& to, const LiftData& data) {
+void add_force_systems(const WandSystems& to, const LiftData& data, std::uint32_t slot) {
     auto& world = to.context.world;
     to.schedule.add({.name = "lift",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Body, Dead>(),
                      .writes = world.mask<LiftHand, HandState, WandBelt, resource::Physics>(),
                      .needs = world.mask<LiftHand>(),
-                     .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
+                     .run = [&context = to.context, &data, slot](ecs::World& w, Tick tick) {
                          w.view<LiftHand, ecs::Without<Dead>>().each([&](ecs::Entity e, LiftHand& hand) {
-                             if (holds(context, hand)) pull(context, data, e, tick, hand);
+                             if (hand.slot == slot && holds(context, hand))
+                                 pull(context, data, e, tick, hand);
                          });
                      }});
 }
 
 class LiftWand final : public WandRules {
 public:
-    explicit LiftWand(const ConfigTable& root) : data_(read(root)) {}
+    LiftWand(const ConfigTable& root, std::uint32_t slot) : data_(read(root)), slot_(slot) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, LiftHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -514,21 +519,22 @@ public:
         return world.mask<LiftHand, EventLog, Health, HandState, Prop, LastProp, resource::Journal,
                           resource::Physics>();
     }
-    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_, slot_); }
     std::optional<vec3> held_at(const ecs::World& world, ecs::Entity wizard) const override {
-        const auto held = world.get<LiftHand>(wizard).held;
+        const auto held = held_thing(world, wizard);
         const auto* motion = held ? world.find<Motion>(held) : nullptr;
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
     }
     ecs::Entity held_thing(const ecs::World& world, ecs::Entity wizard) const override {
-        return world.get<LiftHand>(wizard).held;
+        const auto& hand = world.get<LiftHand>(wizard);
+        return hand.slot == slot_ ? hand.held : ecs::Entity{};
     }
     bool catch_thing(const WandUse& use, ecs::Entity thing) const override {
         return catch_loose(use, data_, thing);
     }
     double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
         constexpr double gravity = 9.81;
-        const auto held = world.get<LiftHand>(wizard).held;
+        const auto held = held_thing(world, wizard);
         const auto* body = held ? world.find<Body>(held) : nullptr;
         return body != nullptr ? body->mass * gravity : 0;
     }
@@ -540,6 +546,7 @@ public:
 
 private:
     LiftData data_;
+    std::uint32_t slot_;
 };
 
 const WandRegistration registration({

@@ -53,7 +53,9 @@ struct Lob {
     std::uint32_t shooter{};  ///< number of the shooter's body in the physics
     double venom{};           ///< harm rate that a potion adds for those whom the stone hits (HP/s)
     Tick venom_lasts{};       ///< duration of the harm that the potion adds (ticks)
-    THAUM_COMPONENT(Lob, position, velocity, bursts_at, player, shooter, venom, venom_lasts);
+    std::uint32_t slot{};     ///< slot of the wand that threw it
+    std::uint32_t spare{};
+    THAUM_COMPONENT(Lob, position, velocity, bursts_at, player, shooter, venom, venom_lasts, slot, spare);
 };
 
 /// State of the lob wand in a wizard's hand.
@@ -62,8 +64,8 @@ struct LobHand {
     double target{};          ///< displacement to which the simulated hand moves along the sling's axis (m)
     double drawn{};           ///< draw that the device measured, as a share of a full draw
     std::uint32_t drawing{};  ///< 1 while fire is held and the sling is drawn
-    std::uint32_t spare{};
-    THAUM_COMPONENT(LobHand, anchor, target, drawn, drawing, spare);
+    std::uint32_t slot{};     ///< slot of the wand that is drawn, or was drawn last
+    THAUM_COMPONENT(LobHand, anchor, target, drawn, drawing, slot);
 };
 
 vec3 read_axis(const ConfigTable& draw) {
@@ -116,6 +118,7 @@ void begin(const WandUse& use, const LobData& data, LobHand& hand) {
     const auto& hand_state = std::as_const(use.context.world).get<HandState>(use.wizard);
     hand.anchor = haptics::measured_position(use.context.input.haptic_setup.device, hand_state.device);
     hand.drawing = 1;
+    hand.slot = use.stats.slot;
     auto spring = data.spring;
     spring.anchor = hand.anchor;
     tether(use.context, use.wizard, spring);
@@ -132,7 +135,8 @@ void shoot(const WandUse& use, const LobData& data, double share) {
                                 .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                 .shooter = use.wizard.index,
                                 .venom = venom,
-                                .venom_lasts = venom > 0 ? belt.venom_lasts : 0});
+                                .venom_lasts = venom > 0 ? belt.venom_lasts : 0,
+                                .slot = use.stats.slot});
     note_shot(use, data.hit, muzzle.tip);
 }
 
@@ -169,10 +173,10 @@ double wanted_target(const LobData& data, const Controls& controls, const LobHan
 
 /// Moves the simulated hand and measures the draw. This runs every tick, so that the hand moves evenly. A
 /// real arm is not moved by the trigger.
-void draw(MatchContext& context, const LobData& data) {
+void draw(MatchContext& context, const LobData& data, std::uint32_t slot) {
     context.world.view<const Wizard, const Controls, LobHand, HandState>().each(
         [&](const Wizard& wizard, const Controls& controls, LobHand& hand, HandState& hand_state) {
-            if (hand.drawing == 0 && hand.target == 0) return;
+            if (hand.slot != slot || (hand.drawing == 0 && hand.target == 0)) return;
             const bool by_arm = plays_by_arm(context.world, wizard.player);
             const double most = hand.drawing != 0 ? data.step : data.return_step;
             const double wanted = by_arm ? 0 : wanted_target(data, controls, hand);
@@ -186,13 +190,14 @@ void draw(MatchContext& context, const LobData& data) {
         });
 }
 
-void add_force_systems(const WandSystems& to, const LobData& data) {
+void add_force_systems(const WandSystems& to, const LobData& data, std::uint32_t slot) {
     auto& world = to.context.world;
-    to.schedule.add({.name = "lob draws",
-                     .reads = world.mask<Wizard, Controls, Arm>(),
-                     .writes = world.mask<LobHand, HandState>(),
-                     .needs = world.mask<LobHand>(),
-                     .run = [&context = to.context, &data](ecs::World&, Tick) { draw(context, data); }});
+    to.schedule.add(
+        {.name = "lob draws",
+         .reads = world.mask<Wizard, Controls, Arm>(),
+         .writes = world.mask<LobHand, HandState>(),
+         .needs = world.mask<LobHand>(),
+         .run = [&context = to.context, &data, slot](ecs::World&, Tick) { draw(context, data, slot); }});
 }
 
 void go_off(MatchContext& context, const Lob& lob, const LobData& data, vec3 place, Tick tick) {
@@ -241,7 +246,7 @@ bool fly(MatchContext& context, const LobData& data, Lob& lob, Tick tick) {
     return false;
 }
 
-void add_missile_systems(const WandSystems& to, const LobData& data) {
+void add_missile_systems(const WandSystems& to, const LobData& data, std::uint32_t slot) {
     auto& world = to.context.world;
     to.schedule.add(
         {.name = "lobs",
@@ -249,16 +254,16 @@ void add_missile_systems(const WandSystems& to, const LobData& data) {
          .reads = world.mask<Body, Motion, Wizard, Dead, Crystal>(),
          .writes = world.mask<Lob, Health, Stance, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Lob>(),
-         .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
+         .run = [&context = to.context, &data, slot](ecs::World& w, Tick tick) {
              w.view<Lob>().each([&](ecs::Entity e, Lob& lob) {
-                 if (fly(context, data, lob, tick)) w.commands().destroy(e);
+                 if (lob.slot == slot && fly(context, data, lob, tick)) w.commands().destroy(e);
              });
          }});
 }
 
 class LobWand final : public WandRules {
 public:
-    explicit LobWand(const ConfigTable& root) : data_(read(root)) {}
+    LobWand(const ConfigTable& root, std::uint32_t slot) : data_(read(root)), slot_(slot) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, LobHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -266,10 +271,11 @@ public:
     ecs::Mask writes(const ecs::World& world) const override {
         return world.mask<LobHand, EventLog, Health, HandState, resource::Journal>();
     }
-    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
-    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_, slot_); }
+    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_, slot_); }
     void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {
         world.view<const Lob>().each([&](ecs::Entity e, const Lob& b) {
+            if (b.slot != slot_) return;
             show({.entity = e,
                   .position = b.position,
                   .velocity = b.velocity,
@@ -285,11 +291,13 @@ public:
                         .held = true};
     }
     std::optional<double> readiness(const ecs::World& world, ecs::Entity wizard) const override {
-        return world.get<LobHand>(wizard).drawn;
+        const auto& hand = world.get<LobHand>(wizard);
+        return hand.slot == slot_ ? hand.drawn : 0;
     }
 
 private:
     LobData data_;
+    std::uint32_t slot_;
 };
 
 const WandRegistration registration({

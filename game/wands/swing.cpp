@@ -38,7 +38,10 @@ struct SwingHand {
     double pulled{};       ///< length by which the hand, pulling, has shortened the rope (m)
     double tension{};      ///< mean tension of the rope over the last tick (N)
     WandCoupling coupling{};
-    THAUM_COMPONENT(SwingHand, anchor, taken_device, length, rest_length, pulled, tension, coupling);
+    std::uint32_t slot{};  ///< slot of the wand whose rope it is
+    std::uint32_t spare{};
+    THAUM_COMPONENT(SwingHand, anchor, taken_device, length, rest_length, pulled, tension, coupling, slot,
+                    spare);
 };
 
 SwingData read(const ConfigTable& root) {
@@ -112,6 +115,7 @@ void latch(const WandUse& use, const SwingData& data, SwingHand& hand) {
     hand = {.anchor = hold->point,
             .taken_device = std::as_const(world).get<HandState>(use.wizard).device.position};
     hand.length = glm::distance(hold->point, sight_of(use.context, use.wizard).eye);
+    hand.slot = use.stats.slot;
     hand.rest_length = data.rest_share * hand.length;
     hand.coupling.expected = use.context.physics.read().velocity(use.wizard.index);
 }
@@ -179,23 +183,23 @@ void pull(MatchContext& context, const SwingData& data, ecs::Entity wizard, Swin
     context.world.get<HandState>(wizard).steady_force.force = felt(context, data, wizard, way, hand.tension);
 }
 
-void add_force_systems(const WandSystems& to, const SwingData& data) {
+void add_force_systems(const WandSystems& to, const SwingData& data, std::uint32_t slot) {
     auto& world = to.context.world;
     to.schedule.add({.name = "swing",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Dead>(),
                      .writes = world.mask<SwingHand, Stance, HandState, resource::Physics>(),
                      .needs = world.mask<SwingHand>(),
-                     .run = [&context = to.context, &data](ecs::World& w, Tick) {
+                     .run = [&context = to.context, &data, slot](ecs::World& w, Tick) {
                          w.view<SwingHand, ecs::Without<Dead>>().each([&](ecs::Entity e, SwingHand& hand) {
-                             if (hand.length > 0) pull(context, data, e, hand);
+                             if (hand.slot == slot && hand.length > 0) pull(context, data, e, hand);
                          });
                      }});
 }
 
 class SwingWand final : public WandRules {
 public:
-    explicit SwingWand(const ConfigTable& root) : data_(read(root)) {}
+    SwingWand(const ConfigTable& root, std::uint32_t slot) : data_(read(root)), slot_(slot) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, SwingHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -207,13 +211,14 @@ public:
         return world
             .mask<SwingHand, Stance, EventLog, HandState, Anchor, resource::Journal, resource::Physics>();
     }
-    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_, slot_); }
     std::optional<vec3> held_at(const ecs::World& world, ecs::Entity wizard) const override {
         const auto& hand = world.get<SwingHand>(wizard);
-        return hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
+        return hand.slot == slot_ && hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
     }
     double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
-        return world.get<SwingHand>(wizard).tension;
+        const auto& hand = world.get<SwingHand>(wizard);
+        return hand.slot == slot_ ? hand.tension : 0;
     }
     Target target(const MatchContext& context, ecs::Entity wizard) const override {
         const bool hangs = context.world.get<SwingHand>(wizard).length > 0;
@@ -227,6 +232,7 @@ public:
 
 private:
     SwingData data_;
+    std::uint32_t slot_;
 };
 
 const WandRegistration registration({

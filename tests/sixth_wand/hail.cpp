@@ -28,7 +28,9 @@ struct Hail {
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t ignores{};  ///< key of the shooter's body, which the lump does not strike
-    THAUM_COMPONENT(Hail, position, velocity, dies_at, player, ignores);
+    std::uint32_t slot{};     ///< slot of the wand that shot it
+    std::uint32_t spare{};
+    THAUM_COMPONENT(Hail, position, velocity, dies_at, player, ignores, slot, spare);
 };
 
 /// State of the hail wand in a wizard's hand.
@@ -68,7 +70,8 @@ void fire(const WandUse& use, const HailData& data) {
                     .velocity = muzzle.ahead * data.speed,
                     .dies_at = use.tick + data.life,
                     .player = std::as_const(world).get<Wizard>(use.wizard).player,
-                    .ignores = use.wizard.index};
+                    .ignores = use.wizard.index,
+                    .slot = use.stats.slot};
     for (std::int64_t i = 0; i < data.lumps; ++i) world.commands().create(lump);
     note_shot(use, data.hit, muzzle.tip);
 }
@@ -92,9 +95,10 @@ void land(MatchContext& context, const HailData& data, const Hail& hail, const p
         chill(context, data, hail, at.point, tick);
 }
 
-void fly(MatchContext& context, const HailData& data, Tick tick) {
+void fly(MatchContext& context, const HailData& data, std::uint32_t slot, Tick tick) {
     auto& world = context.world;
     world.view<Hail>().each([&](ecs::Entity e, Hail& hail) {
+        if (hail.slot != slot) return;
         const vec3 to = hail.position + hail.velocity * physics_dt;
         const auto at = context.physics.read().ray(hail.position, to, physics::all_layers, hail.ignores);
         if (at) land(context, data, hail, *at, tick);
@@ -106,7 +110,7 @@ void fly(MatchContext& context, const HailData& data, Tick tick) {
 
 class HailWand final : public WandRules {
 public:
-    explicit HailWand(const ConfigTable& root) : data_(read(root)) {}
+    HailWand(const ConfigTable& root, std::uint32_t slot) : data_(read(root)), slot_(slot) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, HailHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -115,16 +119,18 @@ public:
     }
     void add_missiles(const WandSystems& to) const override {
         const auto& world = to.context.world;
-        to.schedule.add(
-            {.name = "hail",
-             .period = physics_period,
-             .reads = world.mask<Wizard, Motion, Dead, resource::Physics>(),
-             .writes = world.mask<Hail, Health, EventLog, resource::Journal>(),
-             .needs = world.mask<Hail>(),
-             .run = [&context = to.context, this](ecs::World&, Tick tick) { fly(context, data_, tick); }});
+        to.schedule.add({.name = "hail",
+                         .period = physics_period,
+                         .reads = world.mask<Wizard, Motion, Dead, resource::Physics>(),
+                         .writes = world.mask<Hail, Health, EventLog, resource::Journal>(),
+                         .needs = world.mask<Hail>(),
+                         .run = [&context = to.context, this](ecs::World&, Tick tick) {
+                             fly(context, data_, slot_, tick);
+                         }});
     }
     void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {
         world.view<const Hail>().each([&](ecs::Entity e, const Hail& h) {
+            if (h.slot != slot_) return;
             show({.entity = e, .position = h.position, .velocity = h.velocity, .player = h.player});
         });
     }
@@ -134,6 +140,7 @@ public:
 
 private:
     HailData data_;
+    std::uint32_t slot_;
 };
 
 const WandRegistration registration({

@@ -42,7 +42,7 @@ std::vector<std::string> only_hail() {
 
 std::uint32_t slot_of_hail(const MatchData& data) {
     for (const auto& wand : data.wands) {
-        if (wand.kind->name == "hail") return wand.stats.slot;
+        if (wand.name == "hail") return wand.stats.slot;
     }
     return wand_slots;
 }

@@ -36,7 +36,7 @@ struct Player {
     }
     std::uint32_t slot_of(std::string_view name) const {
         for (const auto& wand : match().data().wands)
-            if (wand.kind->name == name) return wand.stats.slot;
+            if (wand.name == name) return wand.stats.slot;
         ADD_FAILURE() << "no wand " << name;
         return 0;
     }
@@ -189,7 +189,7 @@ protected:
     }
     double wand_readiness(std::string_view name) {
         for (const auto& wand : practice_.match().data().wands)
-            if (wand.kind->name == name)
+            if (wand.name == name)
                 return wand.rules->readiness(practice_.match().world(), wizard()).value_or(0);
         return 0;
     }

@@ -308,7 +308,7 @@ TEST(Bot, HoldsNothingWithoutTheSkillToLiftOrSwing) {
             const auto& world = scene.match.world();
             const auto wizard = wizard_of(world, 0);
             const auto* wand = wand_in_hand(scene.match.data(), world.get<WandBelt>(wizard));
-            held = held || (wand->kind->name == "lift" && wand->rules->held_at(world, wizard));
+            held = held || (wand->name == "lift" && wand->rules->held_at(world, wizard));
         }
         EXPECT_EQ(held, may);
     }

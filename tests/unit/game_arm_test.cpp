@@ -366,7 +366,7 @@ void take_wand(ArmMatch& m, std::string_view name) {
     m.resting = true;
     m.run(100);
     for (const auto& wand : m.data->wands) {
-        if (wand.kind->name == name) m.wand_key = static_cast<std::uint8_t>(wand.stats.slot + 1);
+        if (wand.name == name) m.wand_key = static_cast<std::uint8_t>(wand.stats.slot + 1);
     }
     m.run(20);
     m.hand_buttons = 0;

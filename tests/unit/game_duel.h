@@ -25,7 +25,7 @@ inline MatchSetup two_hands() {
 
 inline const LoadedWand& wand_of(const MatchData& data, std::string_view name) {
     return *std::find_if(data.wands.begin(), data.wands.end(),
-                         [&](const LoadedWand& wand) { return wand.kind->name == name; });
+                         [&](const LoadedWand& wand) { return wand.name == name; });
 }
 
 /// Number of events of one kind in a match.

@@ -266,7 +266,7 @@ double worst_of_flight(Simulation& match, const input::InputFrame& frame, const 
 TEST(DrawnShot, ShowsTheWayThatTheStoneThenFlies) {
     const auto data = match_data();
     const auto slot = std::find_if(data->wands.begin(), data->wands.end(), [](const LoadedWand& w) {
-                          return w.kind->name == "lob";
+                          return w.name == "lob";
                       })->stats.slot;
     Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
     match.world_to_change().get<Gaze>(wizard_of(match.world(), 0)) = {-pi / 4, 0.3};

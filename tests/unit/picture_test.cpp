@@ -121,7 +121,7 @@ struct Looking {
         auto& world = match->world_to_change();
         me = wizard_of(world, 0);
         for (const auto& one : match->data().wands)
-            if (one.kind->name == wand) world.get<WandBelt>(me).selected = one.stats.slot;
+            if (one.name == wand) world.get<WandBelt>(me).selected = one.stats.slot;
         world.get<Gaze>(me).pitch = 0.7;
     }
     /// Moves a body to a distance from the eye, under the crosshair.
@@ -206,7 +206,7 @@ TEST(TakePicture, HoldsTheEnergyOfEveryWand) {
     const auto picture = picture_of(*match);
     for (std::size_t i = 0; i < wands.size(); ++i) {
         EXPECT_EQ(picture.wizards[0].wand.charges[i], 1.0 + static_cast<double>(wands[i].stats.energy_slot))
-            << wands[i].kind->name;
+            << wands[i].name;
         EXPECT_EQ(picture.shown->wands[i].energy_cap, wands[i].stats.energy_cap);
         EXPECT_EQ(picture.shown->wands[i].energy_cost, wands[i].stats.energy_cost);
     }
