@@ -10,7 +10,7 @@ inline constexpr std::uint32_t no_player = 2;
 
 /// A match is one or more rounds. The clock of play stands still between two rounds and after the last one.
 enum class Phase : std::uint32_t { playing, between, over };
-enum class Ending : std::uint32_t { none, kills, time, great_work };
+enum class Ending : std::uint32_t { none, kills, time, great_work, boil_over };
 
 struct Match {
     Tick played{};           ///< ticks of play; does not advance in a pause
@@ -25,8 +25,11 @@ struct Match {
     std::uint32_t paused{};  ///< 1 while the match is paused
     std::uint32_t paused_by{no_player};
     std::uint32_t skipped{};  ///< number of device samples skipped because the machine could not keep up
+    /// Tick of play at which the round's time was up with equal kills, so that the next death decides it; 0:
+    /// not yet.
+    Tick boils_over_since{};
     THAUM_COMPONENT(Match, played, round_began, waited, phase, ending, winner, round, rounds_won, paused,
-                    paused_by, skipped);
+                    paused_by, skipped, boils_over_since);
 };
 
 /// Player who has won more rounds, and so the match if it is over; no_player: neither.

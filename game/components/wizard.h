@@ -62,6 +62,7 @@ struct Health {
     std::uint32_t hurt_by{};   ///< player who last hurt the wizard; no_player: none
     std::uint32_t hurt_how{};  ///< how the wizard was last hurt, an EventKind
     Tick foe_did_at{};         ///< tick at which the foe last hurt or pushed the wizard; 0: never
+    double surge{1};           ///< factor on the harm that the other player does to the wizard now
     double ward{};             ///< harm that the wizard's shield can still absorb (HP)
     Tick ward_until{};         ///< tick of play at which the Shield spell ends
     double harm_share{1};      ///< share of each harm that the wizard takes after a hardening potion, until
@@ -71,7 +72,7 @@ struct Health {
     Tick poisoned_until{};
     std::uint32_t poisoned_by{};  ///< player who poisoned the wizard
     std::uint32_t spare{};
-    THAUM_COMPONENT(Health, points, shielded_until, hurt_at, hurt_by, hurt_how, foe_did_at, ward, ward_until,
+    THAUM_COMPONENT(Health, points, shielded_until, hurt_at, hurt_by, hurt_how, foe_did_at, surge, ward, ward_until,
                     harm_share, hardened_until, poison, poisoned_until, poisoned_by, spare);
 };
 

@@ -113,7 +113,9 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& harm
     auto& health = world.get<Health>(wizard);
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
     if (harm.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
-    const double left = harm.points * (tick < health.hardened_until ? health.harm_share : 1);
+    const bool by_foe = harm.by < players && harm.by != player;
+    const double left = harm.points * (by_foe ? health.surge : 1) *
+                        (tick < health.hardened_until ? health.harm_share : 1);
     const double held = tick < health.ward_until && !harm.pierces ? std::min(health.ward, left) : 0;
     health.ward -= held;
     if (held > 0) {
@@ -131,7 +133,7 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& harm
     health.hurt_at = tick;
     health.hurt_by = harm.by;
     health.hurt_how = static_cast<std::uint32_t>(harm.how);
-    if (harm.by < players && harm.by != player) health.foe_did_at = tick;
+    if (by_foe) health.foe_did_at = tick;
     record(context, {.tick = tick,
                      .kind = harm.how,
                      .subject = player,

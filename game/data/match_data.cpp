@@ -366,6 +366,10 @@ void load_crystal(MatchData& data, DataLoader& loader) {
 /// set.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
+    if (!data.rules.surges) {
+        data.round.surges.clear();
+        data.round.boil_over = {};
+    }
     if (data.rules.energy_regain) return;
     for (auto& wand : data.wands) wand.stats.energy_regain = 0;
 }

@@ -1,18 +1,47 @@
 #include "game/data/rules.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace thaum::game::inline data {
+namespace {
+
+std::vector<Surge> read_surges(const ConfigTable& table) {
+    std::vector<Surge> surges;
+    for (const auto& name : table.keys()) {
+        const auto surge = table.table(name);
+        surges.push_back({ticks(surge.number("after_s", {0, 36000})), surge.number("factor", {0, 100})});
+    }
+    std::ranges::stable_sort(surges, {}, &Surge::after);
+    return surges;
+}
+
+}  // namespace
 
 RoundRules read_round_rules(const Config& file) {
     const auto root = file.root();
     const Range duration{0, 3600};
+    const auto boil_over = root.table("boil_over");
     return {.kills = static_cast<std::int32_t>(root.integer("kills", {1, 1000})),
             .length = ticks(root.number("seconds", {1, 36000})),
             .rounds = static_cast<std::uint32_t>(root.integer("rounds", {1, 99})),
             .interval = ticks(root.number("interval_s", duration)),
             .respawn = ticks(root.number("respawn_s", duration)),
-            .spawn_shield = ticks(root.number("spawn_shield_s", duration))};
+            .spawn_shield = ticks(root.number("spawn_shield_s", duration)),
+            .surges = read_surges(root.table("surge")),
+            .boil_over = {.length = ticks(boil_over.number("seconds", duration, 0)),
+                          .health = boil_over.number("health", {1, 1e6}, 1)}};
+}
+
+double surge_at(const RoundRules& rules, Tick age) {
+    double factor = 1;
+    for (const auto& surge : rules.surges)
+        if (age >= surge.after) factor = surge.factor;
+    return factor;
+}
+
+Tick round_ends_at(const RoundRules& rules, const Match& match) {
+    return match.round_began + rules.length + (match.boils_over_since != 0 ? rules.boil_over.length : 0);
 }
 
 RuleSet read_rule_set(const Config& file) {
@@ -23,6 +52,7 @@ RuleSet read_rule_set(const Config& file) {
     rules.aim_assist = root.boolean("aim_assist", true);
     rules.cauldron = root.boolean("cauldron", true);
     rules.spells = root.boolean("spells", true);
+    rules.surges = root.boolean("surges", true);
     for (std::size_t kind = 0; kind < power_up_names.size(); ++kind) {
         const auto table = root.table(power_up_names[kind]);
         rules.power_ups[kind] = {.health = table.number("health", {0, 1e6}),

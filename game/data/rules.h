@@ -3,13 +3,27 @@
 #pragma once
 #include <array>
 #include <string>
+#include <vector>
 
 #include "core/config.h"
 #include "core/units.h"
+#include "game/components/match.h"
 #include "game/components/power_up.h"
 #include "physics/mover.h"
 
 namespace thaum::game::inline data {
+
+/// A part of a round in which the players' blows do more harm, the mana surge.
+struct Surge {
+    Tick after{};      ///< ticks from the beginning of the round to that of the surge
+    double factor{1};  ///< factor on the harm that players do to each other
+};
+
+/// Time that a round is prolonged by if its kills are equal at the end. The next death decides it.
+struct BoilOverRules {
+    Tick length{};    ///< longest time (ticks); 0: such a round is a draw at once
+    double health{};  ///< health of both wizards at the beginning, and their largest health meanwhile (HP)
+};
 
 /// Rules of rounds, which give a match its length: from assets/rules/quick.toml, standard.toml or another
 /// file there.
@@ -20,7 +34,14 @@ struct RoundRules {
     Tick interval{};         ///< ticks from the end of a round until the next one begins by itself
     Tick respawn{};          ///< ticks from death until the wizard returns to life
     Tick spawn_shield{};     ///< ticks without harm after returning to life
+    std::vector<Surge> surges{};  ///< sorted by time; each lasts until the next one, or the end of the round
+    BoilOverRules boil_over{};
 };
+
+/// Factor on the harm that players do to each other, `age` ticks after the beginning of a round.
+double surge_at(const RoundRules& rules, Tick age);
+/// Tick of play at which the present round ends at the latest.
+Tick round_ends_at(const RoundRules& rules, const Match& match);
 
 struct PowerUpRules {
     double health{};        ///< health that a power-up gives (HP)
@@ -36,6 +57,7 @@ struct RuleSet {
     bool aim_assist = true;  ///< true: players may have aim assist (game/context/aim_assist.h)
     bool cauldron = true;    ///< true: a bowl in the arena holds a brew
     bool spells = true;      ///< true: strokes cast spells
+    bool surges = true;      ///< true: the end of a round comes nearer by mana surges and Boil-over
     std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 

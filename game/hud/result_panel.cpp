@@ -181,6 +181,7 @@ Announcement result_of(const Picture& picture, const HudSettings& settings) {
     const auto kills = text(picture.kills_to_win, picture.kills_to_win == 1 ? " kill" : " kills");
     const auto how = picture.ending == Ending::kills        ? text("first to ", kills)
                      : picture.ending == Ending::great_work ? std::string("by the Great Work")
+                     : picture.ending == Ending::boil_over  ? std::string("in the Boil-over")
                                                             : std::string("time is up");
     if (winner >= players) {
         a.head = last ? "A draw" : text("A draw in", what);

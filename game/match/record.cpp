@@ -98,6 +98,7 @@ std::string result_line(const Simulation& match, const std::array<std::string, p
     if (state.phase != Phase::over) return text("stopped after ", time, " s, score ", score);
     const auto how = state.ending == Ending::kills        ? "by kills"
                      : state.ending == Ending::great_work ? "by the Great Work"
+                     : state.ending == Ending::boil_over  ? "in the Boil-over"
                                                           : "on time";
     const auto winner = ahead(state);
     if (winner == no_player) return text("a draw ", how, ", score ", score, ", after ", time, " s");

@@ -4,6 +4,7 @@
 #include "game/components/casting.h"
 #include "game/components/stroke_reading.h"
 #include "game/context/hand_forces.h"
+#include "game/data/event_kinds.h"
 #include "game/data/wand_slots.h"
 #include "game/match/great_work.h"
 #include "game/match/hand/arm_system.h"
@@ -75,6 +76,35 @@ void end_round(MatchContext& context, Ending ending, std::uint32_t winner, Tick 
                      .detail = static_cast<std::uint32_t>(ending)});
 }
 
+const EventRegistration surge_begins({.name = "surge", .with = {}, .unit = "times", .has_subject = true});
+const EventRegistration round_tied({.name = "tied", .with = {}, .unit = "s", .has_subject = true});
+
+/// Records an event that happens to both players.
+void tell_both(MatchContext& context, EventKind kind, double amount, Tick tick) {
+    for (std::uint32_t player = 0; player < players; ++player)
+        record(context, {.tick = tick, .kind = kind, .subject = player, .amount = amount});
+}
+
+/// Sets the factor on the players' harm to that of the present surge, and tells when it changes.
+void surge(MatchContext& context, Tick age, Tick tick) {
+    const double factor = surge_at(context.data.round, age);
+    bool changed = false;
+    context.world.view<const Wizard, Health>().each([&](const Wizard&, Health& health) {
+        changed = changed || health.surge != factor;
+        health.surge = factor;
+    });
+    if (changed) tell_both(context, surge_begins.kind(), factor, tick);
+}
+
+/// Lets a round whose time is up go on until the next death, with little health for both.
+void boil_over(MatchContext& context, Tick tick) {
+    const auto& rules = context.data.round.boil_over;
+    context.world.single<Match>().boils_over_since = std::max<Tick>(tick, 1);
+    context.world.view<const Wizard, Health, ecs::Without<Dead>>().each(
+        [&](const Wizard&, Health& health) { health.points = rules.health; });
+    tell_both(context, round_tied.kind(), seconds(rules.length), tick);
+}
+
 void end_by_great_work(MatchContext& context, std::uint32_t worker, Tick tick) {
     record(context, {.tick = tick, .kind = EventKind::work_done, .subject = worker, .by = worker});
     end_round(context, Ending::great_work, worker, tick);
@@ -83,6 +113,35 @@ void end_by_great_work(MatchContext& context, std::uint32_t worker, Tick tick) {
 std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
     if (kills[0] == kills[1]) return no_player;
     return kills[0] > kills[1] ? 0 : 1;
+}
+
+std::array<std::int32_t, players> kills_of(const ecs::World& world) {
+    std::array<std::int32_t, players> kills{};
+    world.view<const Wizard, const Score>().each(
+        [&](const Wizard& wizard, const Score& score) { kills[wizard.player] = score.kills; });
+    return kills;
+}
+
+/// Ends the round if it is decided. Kills come before the Great Work (another way to win), and this before the
+/// time. If both players reach the limit of kills in one tick, the one with more kills wins; equal kills are a
+/// draw.
+void judge(MatchContext& context, Tick tick) {
+    const auto& rules = context.data.round;
+    const auto& match = std::as_const(context.world).single<Match>();
+    const auto kills = kills_of(context.world);
+    const auto first = leader(kills);
+    const auto worker = great_worker(context, tick);
+    const bool boils_over = match.boils_over_since != 0;
+    const bool late = match.played + 1 >= round_ends_at(rules, match);
+    if (boils_over && first < players) return end_round(context, Ending::boil_over, first, tick);
+    if (kills[0] >= rules.kills || kills[1] >= rules.kills)
+        return end_round(context, Ending::kills, first, tick);
+    if (worker < players) return end_by_great_work(context, worker, tick);
+    if (late && !boils_over && first == no_player && rules.boil_over.length > 0)
+        boil_over(context, tick);
+    else if (late)
+        return end_round(context, boils_over ? Ending::boil_over : Ending::time, first, tick);
+    surge(context, match.played + 1 - match.round_began, tick);
 }
 
 }  // namespace
@@ -111,28 +170,10 @@ void add_round_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "round",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Score, GreatWork>(),
-                  .writes = world.mask<Match, EventLog, resource::Journal>(),
+                  .reads = world.mask<Wizard, Score, GreatWork, Dead>(),
+                  .writes = world.mask<Match, Health, EventLog, resource::Journal>(),
                   .needs = world.mask<Score>(),
-                  .run = [&context](ecs::World& w, Tick tick) {
-                      std::array<std::int32_t, players> kills{};
-                      w.view<const Wizard, const Score>().each([&](const Wizard& wizard, const Score& score) {
-                          kills[wizard.player] = score.kills;
-                      });
-                      const auto& rules = context.data.round;
-                      const auto& match = std::as_const(w).single<Match>();
-                      const bool enough = kills[0] >= rules.kills || kills[1] >= rules.kills;
-                      // The kill limit comes before the Great Work (another way to win). If both players
-                      // reach the limit in one tick, the one with more kills wins; equal kills are a draw.
-                      const auto worker = great_worker(context, tick);
-                      if (enough) {
-                          end_round(context, Ending::kills, leader(kills), tick);
-                      } else if (worker < players) {
-                          end_by_great_work(context, worker, tick);
-                      } else if (match.played + 1 >= match.round_began + rules.length) {
-                          end_round(context, Ending::time, leader(kills), tick);
-                      }
-                  }});
+                  .run = [&context](ecs::World&, Tick tick) { judge(context, tick); }});
 }
 
 void add_interval_system(MatchContext& context, ecs::Schedule& schedule) {
@@ -163,6 +204,7 @@ void begin_next_round(MatchContext& context, BrewSolver& solver, CrystalBodies& 
     auto& match = context.world.single<Match>();
     match.phase = Phase::playing;
     match.round_began = match.played;
+    match.boils_over_since = 0;
     ++match.round;
     record(context, {.tick = match.played, .kind = EventKind::round_begin, .detail = match.round});
     context.physics.write().rebuild();

@@ -78,6 +78,7 @@ std::string_view name_of_ending(std::uint32_t ending) {
         case Ending::kills: return "kills";
         case Ending::time: return "time";
         case Ending::great_work: return "great_work";
+        case Ending::boil_over: return "boil_over";
         case Ending::none: break;
     }
     return "";

@@ -358,8 +358,10 @@ void take_round(const Simulation& match, Picture& out) {
     const auto& rules = match.data().round;
     out.tick = match.now();
     out.played_s = seconds(m.played);
-    const auto end = m.round_began + rules.length;
+    const auto end = round_ends_at(rules, m);
     out.left_s = end > m.played ? seconds(end - m.played) : 0;
+    out.boils_over = m.boils_over_since != 0;
+    out.surge = m.phase == Phase::playing ? surge_at(rules, m.played - m.round_began) : 1;
     out.phase = m.phase;
     out.ending = m.ending;
     out.winner = m.winner;

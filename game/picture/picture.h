@@ -146,6 +146,8 @@ struct Picture {
         shown;  ///< how events and wands are shown; not null once the picture is filled in
 
     double played_s{}, left_s{};
+    bool boils_over{};  ///< true: the time was up with equal kills, so the next death decides the round
+    double surge{1};    ///< factor on the harm that the players do to each other (the mana surge)
     Phase phase{};
     Ending ending{};
     std::uint32_t winner{no_player};  ///< player who has won the round that has ended

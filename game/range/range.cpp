@@ -53,6 +53,7 @@ Expected<RangeData> load_range(const std::filesystem::path& assets, const DataCh
     if (!dummy) return dummy.error();
     match->round.kills = std::numeric_limits<std::int32_t>::max();
     match->round.length = never;
+    match->round.surges.clear();
     // On the practice range, only a brew that can no longer become a potion boils over, and ingredients
     // return to their niches at once.
     if (match->cauldron) {

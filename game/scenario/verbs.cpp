@@ -247,6 +247,7 @@ int verb_match_state(lua_State* lua, void* context) {
     lua_pushstring(lua, match.ending == Ending::kills        ? "kills"
                         : match.ending == Ending::time       ? "time"
                         : match.ending == Ending::great_work ? "great_work"
+                        : match.ending == Ending::boil_over  ? "boil_over"
                                                              : "none");
     if (match.winner < players) {
         lua_pushinteger(lua, match.winner + 1);

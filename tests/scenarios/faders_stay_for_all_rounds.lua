@@ -1,5 +1,5 @@
 -- Faders that were moved in one round count in all later ones, and a seek into a later round feels the same.
-match {players = {"script", "script"}, seed = 2, match = "standard", set = {"standard.seconds=3", "standard.interval_s=1"}}
+match {players = {"script", "script"}, seed = 2, match = "standard", set = {"standard.seconds=3", "standard.interval_s=1", "standard.boil_over.seconds=0"}}
 local me = wizard(1)
 me:fader("recoil", 20)
 me:hold("fire")

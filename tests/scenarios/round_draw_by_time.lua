@@ -1,5 +1,5 @@
--- A round with equal kills at the end of its time has no winner. A pause does not use up time.
-match {match = "quick", set = {"quick.seconds=3"}, players = {"script", "script"}}
+-- Without Boil-over, a round with equal kills at the end of its time has no winner. A pause does not use up time.
+match {match = "quick", set = {"quick.seconds=3", "quick.boil_over.seconds=0"}, players = {"script", "script"}}
 wizard(1):move(0, 1)
 wait(1)
 wizard(1):stop()

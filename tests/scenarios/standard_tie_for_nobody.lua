@@ -1,5 +1,5 @@
--- A tied round counts for neither player. Three tied rounds are a draw.
-match {match = "standard", set = {"standard.seconds=2", "standard.interval_s=1"}, players = {"script", "script"}}
+-- Without Boil-over, a tied round counts for neither player. Three tied rounds are a draw.
+match {match = "standard", set = {"standard.seconds=2", "standard.interval_s=1", "standard.boil_over.seconds=0"}, players = {"script", "script"}}
 for round = 1, 3 do
     expect_near(round_number(), round, 0)
     local ended = expect_event {kind = "round_end", within = 3.1}

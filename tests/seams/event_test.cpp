@@ -54,7 +54,8 @@ TEST(NewEvent, IsRecordedCountedAndShownAsAnyOther) {
     EXPECT_EQ(row_of(data->presentation->events, sneeze.kind()).feed, "{whom} sneezed");
     const auto tables = kind_tables(*data);
     const auto events = std::ranges::find(tables, "event", &input::KindTable::group);
-    EXPECT_EQ(events->kinds.back().name, "sneeze") << "a log's header has it";
+    EXPECT_NE(std::ranges::find(events->kinds, "sneeze", &input::Kind::name), events->kinds.end())
+        << "a log's header has it";
     Simulation match(std::make_shared<const MatchData>(std::move(*data)), two_hands());
     match.tick({});
     auto& context = match.context_to_change();

@@ -111,7 +111,7 @@ TEST(GameHostile, ALogOfOtherRulesOrDataIsRefusedInOneLineThatNamesTheDifference
     other.files.push_back({"wands/lost.toml", 1});
     EXPECT_NE(refusal(other).find("wands/lost.toml is not part"), std::string::npos) << refusal(other);
     other = header;
-    other.files.pop_back();
+    std::erase_if(other.files, [](const auto& file) { return file.name == "haptics.toml"; });
     EXPECT_NE(refusal(other).find("did not exist"), std::string::npos) << refusal(other);
     other = header;
     other.arena = "../../etc/passwd";
@@ -139,19 +139,17 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
                   t.back().kinds.push_back({6, "hail\x1b[2J\n"});
               }),
               text("wand 6 is 'hail\\x1b[2J ' in the log and nothing in this program", advice));
-    EXPECT_EQ(refusal([](Tables& t) { t[0].kinds.erase(t[0].kinds.begin()); }),
-              text("cause 0 is nothing in the log and 'bolt' in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) { t[0].kinds.erase(t[0].kinds.begin()); }), "accepted")
+        << "no state of the log has a kind that only this program knows";
     EXPECT_EQ(refusal([](Tables& t) { std::swap(t[2].kinds[0].name, t[2].kinds[1].name); }),
               text("ingredient 0 is '", header.kinds[2].kinds[1].name, "' in the log and '",
                    header.kinds[2].kinds[0].name, "' in this program", advice));
-    EXPECT_EQ(refusal([](Tables& t) { t[4].kinds.pop_back(); }),
-              text("power_up 2 is nothing in the log and 'spark' in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) { t[4].kinds[2].number = 3; }),
+              text("power_up 3 is 'spark' in the log and nothing in this program", advice));
     EXPECT_EQ(refusal([](Tables& t) {
                   t.push_back({"wounds", {{0, "cut"}}});
               }),
               text("wounds 0 is 'cut' in the log and nothing in this program", advice));
-    EXPECT_EQ(refusal([](Tables& t) { t.pop_back(); }),
-              text("wand 1 is nothing in the log and 'bolt' in this program", advice));
 }
 
 TEST(GameHostile, ALogThatNamesNoKindsIsRefused) {

@@ -240,10 +240,10 @@ std::vector<Mistake> wrong_references() {
 /// Files that nothing reads, duplicates, and places where nothing can stand.
 std::vector<Mistake> wrong_files_and_places() {
     return {
-        {"wands/rocket.toml", "", "slot = ?", {"nothing reads this file", "blast, bolt"}, false},
+        {"wands/rocket.toml", "", "version = 1", {"'kind' is 'rocket'", "blast, bolt"}, false},
         {"arenas/the_well.toml", "[[niche]]", "[niche]", {"each entry of a list begins with [[niche]]"}},
         {"wands/bollt.toml", "", "version = 1", {"'bolt'"}, false},
-        {"spells/heal.toml", "", "nonsense", {"nothing reads this file", "push"}, false},
+        {"spells/heal.toml", "", "version = 1", {"'kind' is 'heal'", "push"}, false},
         {"bots/level_9.toml", "", "version = 1", {"level_0"}, false},
         {"sound/bang.toml", "", "version = 1", {"did you mean 'sounds'"}, false},
         {"arenas/mine.tml", "", "version = 1", {"'.toml'"}, false},

@@ -16,7 +16,8 @@ using input::Button;
 
 std::shared_ptr<const MatchData> short_rounds() {
     DataChoice choice{.match = "standard",
-                      .overrides = {"standard.seconds=2", "standard.interval_s=1", "haptics.share=1"}};
+                      .overrides = {"standard.seconds=2", "standard.interval_s=1",
+                                    "standard.boil_over.seconds=0", "haptics.share=1"}};
     return std::make_shared<const MatchData>(load_match_data(assets(), choice).value());
 }
 

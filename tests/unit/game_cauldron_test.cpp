@@ -217,7 +217,8 @@ TEST(GameCauldron, AFourthIngredientStaysInTheHand) {
 
 TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
     // A burst (a stone that explodes over the brew), recorded in the previous round, must not act again.
-    const auto match = at_the_rim(0, {"quick.seconds=1", "quick.rounds=3", "quick.interval_s=0.1"});
+    const auto match = at_the_rim(
+        0, {"quick.seconds=1", "quick.rounds=3", "quick.interval_s=0.1", "quick.boil_over.seconds=0"});
     const auto middle = match->world().single<Cauldron>().middle;
     record(match->context_to_change(),
            {.tick = 1, .kind = EventKind::burst, .subject = 0, .by = 0, .amount = 1, .place = middle});

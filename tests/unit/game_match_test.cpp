@@ -76,6 +76,70 @@ TEST(GameRules, TheRuleSetFollowsItsFile) {
     EXPECT_EQ(classic.round.kills, 5);
 }
 
+TEST(GameRules, SurgesFollowTheirTimesAndFallsDoNotGrow) {
+    const auto data = duel_data();
+    const auto& rules = data->round;
+    ASSERT_EQ(rules.surges.size(), 2U);
+    EXPECT_EQ(surge_at(rules, 0), 1);
+    EXPECT_EQ(surge_at(rules, ticks(120.0) - 1), 1);
+    EXPECT_EQ(surge_at(rules, ticks(120.0)), 1.5);
+    EXPECT_EQ(surge_at(rules, ticks(180.0)), 2);
+    EXPECT_EQ(surge_at(rules, ticks(3600.0)), 2);
+    Simulation match(data, two_hands());
+    auto& context = match.context_to_change();
+    const auto wizard = wizard_of(match.world(), 0);
+    auto& health = context.world.get<Health>(wizard);
+    health.surge = 3;
+    hurt(context, wizard, 1, {.points = 2, .by = 1, .how = EventKind::object_hit});
+    EXPECT_EQ(health.points, 94);
+    hurt(context, wizard, 1, {.points = 2, .by = 0, .how = EventKind::object_hit});
+    hurt(context, wizard, 1, {.points = 2, .how = EventKind::fall});
+    EXPECT_EQ(health.points, 90) << "own mistakes do no more harm";
+    const auto classic = load_match_data(assets(), {.rules = "classic"}).value();
+    EXPECT_TRUE(classic.round.surges.empty());
+    EXPECT_EQ(classic.round.boil_over.length, 0U);
+}
+
+TEST(GameRules, BothFallInTheBoilOverAndItGoesOnWithTheSameHealth) {
+    Simulation match(duel_data({"quick.seconds=1", "quick.respawn_s=0.1", "quick.spawn_shield_s=0"}),
+                     two_hands());
+    auto& world = match.context_to_change().world;
+    const auto run = [&](Tick length) {
+        for (Tick t = 0; t < length; ++t) match.tick({});
+    };
+    const auto strike_both = [&] {
+        for (std::uint32_t player = 0; player < players; ++player)
+            hurt(match.context_to_change(), wizard_of(world, player), match.now(),
+                 {.points = 1000, .by = 1 - player, .how = EventKind::object_hit});
+    };
+    run(900);
+    strike_both();  // nobody is there when the time is up
+    run(300);
+    EXPECT_NE(match.match().boils_over_since, 0U);
+    EXPECT_EQ(match.match().phase, Phase::playing);
+    for (std::uint32_t player = 0; player < players; ++player)
+        EXPECT_EQ(world.get<Health>(wizard_of(world, player)).points, 30) << player;
+    world.get<Health>(wizard_of(world, 0)).points = 80;
+    run(8);
+    EXPECT_EQ(world.get<Health>(wizard_of(world, 0)).points, 30) << "nothing gives more";
+    strike_both();
+    run(200);
+    EXPECT_EQ(match.match().phase, Phase::playing) << "equal kills decide nothing";
+    hurt(match.context_to_change(), wizard_of(world, 0), match.now(),
+         {.points = 1000, .how = EventKind::fall});  // a death of one's own making
+    run(16);
+    EXPECT_EQ(match.match().ending, Ending::boil_over);
+    EXPECT_EQ(match.match().winner, 1U);
+    EXPECT_EQ(result_line(match).substr(0, 30), "player 2 wins in the Boil-over");
+
+    Simulation idle(duel_data({"quick.seconds=1", "quick.boil_over.seconds=2"}), two_hands());
+    for (Tick t = 0; t < 2990; ++t) idle.tick({});
+    EXPECT_EQ(idle.match().phase, Phase::playing);
+    for (Tick t = 0; t < 20; ++t) idle.tick({});
+    EXPECT_EQ(idle.match().ending, Ending::boil_over);
+    EXPECT_EQ(idle.match().winner, no_player) << "if nobody falls, the round is nobody's";
+}
+
 TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
     auto data = load_match_data(assets(), {.rules = "classic", .match = "standard"}).value();
     const auto header = log_header(data, {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
@@ -162,7 +226,9 @@ TEST(GameRules, TheResultListsStatisticsByPlayerAndCause) {
 }
 
 TEST(GameRules, AMatchOfSeveralRoundsRestoresInTheMiddle) {
-    DataChoice choice{.match = "standard", .overrides = {"standard.seconds=2", "standard.interval_s=1"}};
+    DataChoice choice{
+        .match = "standard",
+        .overrides = {"standard.seconds=2", "standard.interval_s=1", "standard.boil_over.seconds=0"}};
     const auto data = std::make_shared<const MatchData>(load_match_data(assets(), choice).value());
     auto duel = make_bot_duel(assets(), data, {1, 1}, 4).value();
     std::vector<input::InputFrame> frames;

@@ -160,7 +160,7 @@ TEST(Wands, DyingOrChangingTheWandEndsADrawWithoutAShot) {
 }
 
 TEST(Wands, NothingIsLeftOfARoundInTheNext) {
-    WandRig w({"standard.seconds=3", "standard.interval_s=1"}, "standard");
+    WandRig w({"standard.seconds=3", "standard.interval_s=1", "standard.boil_over.seconds=0"}, "standard");
     w.take(3);
     w.hold(1500, Button::fire);
     w.wait(gameplay_period);

@@ -134,7 +134,9 @@ TEST_F(LiveThreadsTest, AFaultOfTheSettingsFileIsShownAtTheStartOfAMatch) {
 /// A round of one second ends in a draw. Its result is shown for eight seconds.
 TEST_F(LiveThreadsTest, ADemoEndsAMatchByItselfForTheNextOne) {
     plan_.data = std::make_shared<const game::MatchData>(
-        game::load_match_data(THAUM_SOURCE_DIR "/assets", {.overrides = {"quick.seconds=1"}}).value());
+        game::load_match_data(THAUM_SOURCE_DIR "/assets",
+                              {.overrides = {"quick.seconds=1", "quick.boil_over.seconds=0"}})
+            .value());
     plan_.seats = {rig::bot_seat, rig::bot_seat};
     plan_.demo = true;
     session_.emplace(shared_, plan_);

@@ -385,7 +385,8 @@ TEST(SoundScene, TheEndOfARoundIsHeardAsWonLostOrDrawn) {
         if (winner < players)
             rig.match.world_to_change().get<Score>(rig.wizard(winner)).kills = rig.match.data().round.kills;
         auto& match = rig.match.world_to_change().single<Match>();
-        match.played = rig.match.data().round.length - ticks(0.1);
+        match.boils_over_since = winner < players ? 0 : 1;
+        match.played = round_ends_at(rig.match.data().round, match) - ticks(0.1);
         std::map<std::string, std::uint32_t> heard_by;
         for (Tick t = 0; t < ticks(0.2); t += audio::frame_ticks) {
             rig.play(audio::frame_ticks);

@@ -16,7 +16,7 @@ constexpr std::array<Cue, score_layers> layers{Cue::music_calm, Cue::music_pulse
                                                Cue::music_final};
 
 double left_s(const SoundWriting& writing) {
-    const auto end = writing.match.match().round_began + writing.match.data().round.length;
+    const auto end = round_ends_at(writing.match.data().round, writing.match.match());
     return end > writing.played() ? seconds(end - writing.played()) : 0;
 }
 
