@@ -40,6 +40,8 @@ struct RuleSet {
 };
 
 struct WizardRules {
+    /// Downward acceleration of wizards, things and missiles in flight (m/s^2).
+    double gravity{};
     /// Mass (kg); radius, height, and height of the eye above the feet (m)
     double mass{}, radius{}, height{}, eye{};
     physics::MoverSettings walk{};

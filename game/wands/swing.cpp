@@ -212,7 +212,7 @@ public:
         const auto& hand = world.get<SwingHand>(wizard);
         return hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
     }
-    double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
+    double holding_force(const ecs::World& world, ecs::Entity wizard, double) const override {
         return world.get<SwingHand>(wizard).tension;
     }
     Target target(const MatchContext& context, ecs::Entity wizard) const override {
