@@ -9,13 +9,15 @@
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/components/potions.h"
+#include "game/data/file_names.h"
+#include "game/data/mutator.h"
 #include "game/data/name_finder.h"
+#include "game/data/rule_files.h"
 #include "gesture/gesture_file.h"
 
 namespace thaum::game::inline data {
 namespace {
 
-constexpr std::size_t max_data_file = 1U << 20U;
 /// Top-level tables of data files that no match reads: how events and things are shown, and the places of
 /// practice. Their values are not hashed.
 constexpr std::array<std::string_view, 4> unhashed_tables{"event", "look", "range", "sound"};
@@ -23,8 +25,10 @@ constexpr std::array<std::string_view, 4> unhashed_tables{"event", "look", "rang
 /// Reads data files, stores the hash of each file's values, and applies overrides.
 class Loader {
 public:
-    Loader(const std::filesystem::path& assets, MatchData& data)
-        : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
+    Loader(const std::filesystem::path& assets, MatchData& data, std::vector<Override> overrides)
+        : assets_(assets), data_(data), overrides_(std::move(overrides)), used_(overrides_.size(), false) {
+        for (const auto& one : overrides_) data_.overrides.push_back(one.value);
+    }
 
     /// Reads a file with read(Config) and returns its value, or a default value if there is no such file. All
     /// faults are added to `error`. `decides`: the file can change a match, so the hash of its values is
@@ -59,11 +63,10 @@ public:
 
     void check_overrides() {
         for (std::size_t i = 0; i < used_.size(); ++i) {
-            if (!used_[i]) {
-                refuse({text(
-                    "--set ", data_.choice.overrides[i],
-                    ": must be FILE.KEY=VALUE with a data file of this match, such as bolt.shot.damage=12")});
-            }
+            if (used_[i]) continue;
+            refuse({text(
+                told(overrides_[i]),
+                ": must be FILE.KEY=VALUE with a data file of this match, such as bolt.shot.damage=12")});
         }
     }
 
@@ -90,45 +93,31 @@ private:
         if (!config) return config;
         if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
         const auto stem = std::filesystem::path(name).stem().string() + ".";
-        for (std::size_t i = 0; i < data_.choice.overrides.size(); ++i) {
-            const std::string_view entry = data_.choice.overrides[i];
+        for (std::size_t i = 0; i < overrides_.size(); ++i) {
+            const std::string_view entry = overrides_[i].value;
             const auto equals = entry.find('=');
             if (equals == std::string_view::npos || !entry.starts_with(stem)) continue;
             used_[i] = true;
             const auto replaced =
                 config->replace(entry.substr(stem.size(), equals - stem.size()), entry.substr(equals + 1));
-            if (!replaced) return replaced.error();
+            if (replaced) continue;
+            if (overrides_[i].place.empty()) return replaced.error();
+            return Error{text(told(overrides_[i]), ": ", replaced.error().message)};
         }
         return config;
     }
 
+    /// An override in messages, with the place where it is written.
+    static std::string told(const Override& one) {
+        return one.place.empty() ? text("--set ", one.value) : text(one.place, ": '", one.value, "'");
+    }
+
     const std::filesystem::path& assets_;
     MatchData& data_;
-    std::vector<bool> used_;
+    std::vector<Override> overrides_;
+    std::vector<bool> used_;           ///< for each override, whether a file has the name that it begins with
     std::vector<std::string> faulty_;  ///< names of files with a fault
 };
-
-bool plain_name(std::string_view name) {
-    return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-    });
-}
-
-constexpr std::array<std::string_view, 2> rule_sets{"thaum", "classic"};
-Expected<void> check_name(const std::vector<std::string>& known, std::string_view name,
-                          std::string_view what) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return {};
-    std::string all;
-    for (const auto& one : known) all += text(all.empty() ? "" : ", ", one);
-    return fail(text("there is no ", what, " '", printable(name, 64), "'; there are: ", all,
-                     did_you_mean(name, known)));
-}
-
-std::vector<std::string> stems_in(const std::filesystem::path& folder) {
-    std::vector<std::string> stems;
-    for (const auto& file : files_in(folder, ".toml").value_or({})) stems.push_back(file.stem().string());
-    return stems;
-}
 
 /// Refuses a folder without any data files, because otherwise each file would be reported as missing.
 Expected<void> check_folder(const std::filesystem::path& assets) {
@@ -493,24 +482,13 @@ std::string shown_path(const std::filesystem::path& assets, std::string_view nam
     return (folder / name).string();
 }
 
-std::span<const std::string_view> rule_set_names() { return rule_sets; }
-
-std::vector<std::string> match_lengths(const std::filesystem::path& assets) {
-    auto names = stems_in(assets / "rules");
-    std::erase_if(names, [](const auto& name) {
-        return !plain_name(name) || std::find(rule_sets.begin(), rule_sets.end(), name) != rule_sets.end();
-    });
-    return names;
-}
-
 namespace {
 
 /// Refuses names for which there is no data.
 Expected<void> check_choice(const std::filesystem::path& assets, const DataChoice& choice) {
     if (auto there = check_folder(assets); !there) return there.error();
     if (auto known = check_arena_name(assets, choice.arena); !known) return known.error();
-    if (auto known = check_name({rule_sets.begin(), rule_sets.end()}, choice.rules, "rule set"); !known)
-        return known.error();
+    if (auto known = check_name(rule_sets(assets), choice.rules, "rule set"); !known) return known.error();
     if (auto known = check_name(match_lengths(assets), choice.match, "match"); !known) return known.error();
     if (const auto& fault = event_kinds().fault; !fault.empty()) return fail(fault);
     return {};
@@ -527,7 +505,12 @@ MatchReading read_match_data(const std::filesystem::path& assets, const DataChoi
         reading.error = known.error();
         return reading;
     }
-    Loader loader(assets, data);
+    auto overrides = overrides_of(assets, choice);
+    if (!overrides) {
+        reading.error = overrides.error();
+        return reading;
+    }
+    Loader loader(assets, data, std::move(*overrides));
     std::optional<Config> arena_file, haptics_file;
     const auto read_whole_arena = [&](const Config& file) {
         data.look = read_arena_look(file);
