@@ -18,6 +18,9 @@ thaum_test(test_game_threads
     SOURCES unit/game_threads_test.cpp
     LINK thaum_duel
     THREADS *)
+thaum_test(test_choices
+    SOURCES unit/bot_file_test.cpp unit/gravity_test.cpp unit/mutator_test.cpp unit/rule_files_test.cpp
+    LINK thaum_duel)
 thaum_test(test_easiest_bot
     SOURCES unit/easiest_bot_test.cpp
     LINK thaum_duel

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/detail/config_faults.h"
+#include "core/detail/config_state.h"
 #include "core/detail/toml_hint.h"
 #include "core/detail/toml_parse.h"
 #include "core/hash.h"
@@ -22,22 +22,6 @@ using detail::FaultKind;
 /// Greatest number of faults that are kept for one file. A nonsense file has a fault in every line, and
 /// nobody reads them all.
 constexpr std::size_t max_faults = 100;
-
-struct Config::State {
-    toml::table root;
-    std::string name;
-    std::vector<ConfigFault> faults;
-    std::set<const toml::node*> asked;
-    detail::AskedKeys asked_keys;
-
-    /// Marks all keys within a value as asked for by a reader. Otherwise a table that stands in the place of
-    /// a number would be reported again for each of its keys, as an unknown one.
-    void mark_asked(const toml::node& value);
-    /// Adds a fault to those of the file. `misleads`: true if the fault keeps the reader from knowing which
-    /// keys belong to this table.
-    void report(const toml::node* where, FaultKind kind, std::string_view key, std::string what,
-                bool misleads = false);
-};
 
 namespace {
 

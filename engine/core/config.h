@@ -37,6 +37,9 @@ public:
     /// Replaces the value of an existing key. The path has the form "shot.damage"; the value is written as in
     /// TOML.
     Expected<void> replace(std::string_view path, std::string_view value);
+    /// Takes every value that this file lacks from `base`, also within tables that both have. A list is one
+    /// value. The base must have been checked: faults in its values are reported without a line.
+    void inherit(const Config& base);
     /// Reports a fault found by the caller, such as two entries that contradict each other. Nothing is
     /// reported if a value of the file is wrong: the caller then worked with a fallback value.
     void report(std::string_view message) const;

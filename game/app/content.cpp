@@ -16,8 +16,11 @@
 #include "field/materials.h"
 #include "game/app/content_names.h"
 #include "game/app/content_use.h"
-#include "game/bots/bot.h"
+#include "game/bots/bot_file.h"
+#include "game/data/file_names.h"
+#include "game/data/mutator.h"
 #include "game/data/name_finder.h"
+#include "game/data/rule_files.h"
 #include "game/live/body.h"
 #include "game/live/menu_choices.h"
 #include "game/live/sound.h"
@@ -101,25 +104,33 @@ private:
         }
         if (choices.empty()) choices.emplace_back();
         const auto first = choices[0];
-        for (const auto rules : rule_set_names())
+        for (const auto& rules : rule_sets(assets_))
             if (rules != first.rules)
-                choices.push_back({.arena = first.arena, .rules = std::string(rules), .match = first.match});
+                choices.push_back({.arena = first.arena, .rules = rules, .match = first.match});
         for (const auto& match : match_lengths(assets_))
             if (match != first.match)
                 choices.push_back({.arena = first.arena, .rules = first.rules, .match = match});
+        for (const auto& mutator : list_mutators(assets_)) {
+            add_fault_of(mutator.file);
+            if (!mutator.file) continue;
+            choices.push_back(first);
+            choices.back().mutators = {mutator.name};
+        }
         for (const auto& choice : choices) {
             auto reading = read_match_data(assets_, choice);
             if (reading.error) add(*reading.error);
             has_data_ = has_data_ || !reading.data.files.empty();
-            readings_.push_back(std::move(reading.data));
+            // A mutator may well make something useless, so its readings are not searched for that.
+            if (choice.mutators.empty()) readings_.push_back(std::move(reading.data));
         }
         for (const auto& arena : arena_choices(assets_))
             if (!arena.fault.empty()) add(arena.fault);
     }
 
     void read_practice() {
-        for (int level = easiest_bot; level <= hardest_bot; ++level)
-            add_fault_of(load_bot_skill(assets_, level));
+        const auto bots = list_bots(assets_);
+        for (const auto& bot : bots) add_fault_of(bot.file);
+        if (bots.empty()) add_fault_of(strongest_bot(assets_));
         add_fault_of(load_range(assets_, readings_[0].choice));
         add_fault_of(load_lessons(assets_));
     }
@@ -168,18 +179,11 @@ private:
     /// Checks the last choice in the settings file. The start screen begins with the arena and match that it
     /// names, or with the first ones if it names none.
     void check_last_choice(const LastChoice& last) {
-        std::vector<std::string> arenas;
-        for (const auto& file : files_in(assets_ / "arenas", ".toml").value_or({}))
-            arenas.push_back(file.stem().string());
-        check_choice("arena", last.arena, arenas);
+        check_choice("arena", last.arena, stems_in(assets_ / "arenas"));
         check_choice("match", last.match, match_lengths(assets_));
-        if (last.bot_level > hardest_bot)
-            add_missing({{.file = "settings.toml",
-                          .table = "",
-                          .key = "bot_level",
-                          .words = text("is ", last.bot_level, ", and bots have the levels ", easiest_bot,
-                                        " to ", hardest_bot)}},
-                        "");
+        for (const auto& mutator : last.mutators)
+            check_choice("mutator", mutator, stems_in(assets_ / "mutators"));
+        check_choice("bot", last.bot, stems_in(assets_ / "bots"));
     }
 
     void check_choice(std::string_view key, std::string_view name, const std::vector<std::string>& known) {

@@ -1,6 +1,7 @@
 #include "game/app/content_names.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string_view>
 
@@ -8,7 +9,6 @@
 #include "core/near_name.h"
 #include "core/one_line.h"
 #include "core/text.h"
-#include "game/bots/bot.h"
 #include "game/data/match_data.h"
 #include "game/data/spell.h"
 
@@ -18,6 +18,8 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 constexpr std::size_t longest_shown = 200;
+/// Folders whose files are chosen by name, in the menu and on the command line.
+constexpr std::array<std::string_view, 4> chosen_folders{"arenas", "bots", "mutators", "rules"};
 
 /// Rule for the files that a folder may hold.
 struct FolderRule {
@@ -25,12 +27,6 @@ struct FolderRule {
     std::vector<std::string> names{};  ///< allowed names without ending; empty: any name
     std::string_view what{};           ///< noun for a file of this folder, for messages
 };
-
-std::vector<std::string> bot_levels() {
-    std::vector<std::string> names;
-    for (int level = easiest_bot; level <= hardest_bot; ++level) names.push_back(text("level_", level));
-    return names;
-}
 
 template <class Kinds>
 std::vector<std::string> names_of(const Kinds& kinds) {
@@ -48,10 +44,11 @@ std::map<std::string, FolderRule> folder_rules() {
                "range", "settings"},
               "file of rules"}},
             {"arenas", {data}},
-            {"bots", {data, bot_levels(), "level of bots"}},
+            {"bots", {data}},
             {"carving", {data}},
             {"devices", {data}},
             {"gestures", {data}},
+            {"mutators", {data}},
             {"pictures", {{".png"}}},
             {"potions", {data}},
             {"rules", {data}},
@@ -123,7 +120,8 @@ private:
         if (rule.names.empty() || std::ranges::find(rule.names, stem) != rule.names.end()) {
             ++found_.files;
             if (ending == ".toml") found_.read.push_back(name);
-            if (folder == "rules" || folder == "arenas") check_chosen_name(name, stem);
+            if (std::ranges::find(chosen_folders, folder) != chosen_folders.end())
+                check_chosen_name(name, stem);
             return;
         }
         const auto names = views_of(rule.names);

@@ -24,13 +24,12 @@ struct Played {
 
 Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const MatchData>& data,
                       const std::filesystem::path& log_file) {
-    auto duel = make_bot_duel(plan.assets, data, plan.levels, plan.seed);
+    auto duel = make_bot_duel(plan.assets, data, plan.bots, plan.seed);
     if (!duel) return duel.error();
     Played played{std::move(*duel), {}, {}};
     auto& match = *played.duel.match;
     auto log = input::LogWriter::create(
-        log_file,
-        log_header(*data, match.setup(), {text("bot ", plan.levels[0]), text("bot ", plan.levels[1])}),
+        log_file, log_header(*data, match.setup(), {text("bot ", plan.bots[0]), text("bot ", plan.bots[1])}),
         input::WhenBehind::wait);
     if (!log) return log.error();
     std::optional<Tick> over_at;
@@ -71,6 +70,13 @@ Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const MatchData
     return {file.string(), {}};
 }
 
+/// ", mutators fog, one_wand"; empty without any.
+std::string mutator_words(const DataChoice& choice) {
+    std::string words;
+    for (const auto& name : choice.mutators) words += text(words.empty() ? ", mutators " : ", ", name);
+    return words;
+}
+
 std::string report(const OffscreenDuel& duel, const Played& played, const std::filesystem::path& log,
                    const std::string& picture_line) {
     const auto& match = *played.duel.match;
@@ -78,8 +84,8 @@ std::string report(const OffscreenDuel& duel, const Played& played, const std::f
     std::string lines =
         text("Thaum ", THAUM_VERSION, ", duel in ", match.data().arena.name, ", seed ", duel.seed, "\n");
     lines += text("result   ", result_line(match), "\n");
-    lines += text("bots     of level ", duel.levels[0], " and ", duel.levels[1], ", rules ", duel.data.rules,
-                  ", match ", duel.data.match, "\n");
+    lines += text("bots     ", duel.bots[0], " and ", duel.bots[1], ", rules ", duel.data.rules, ", match ",
+                  duel.data.match, mutator_words(duel.data), "\n");
     lines += result_table(match);
     lines += text("ticks    ", match.now(), " of 1 ms\n");
     lines += text("state    ", hex(match.state_hash()), "\n");

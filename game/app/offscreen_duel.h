@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <string>
 
 #include "game/data/match_data.h"
 
@@ -14,7 +15,7 @@ struct OffscreenDuel {
     std::filesystem::path log{};  ///< path of the log, if not in `out`; the file must not exist yet
     DataChoice data{};
     std::uint64_t seed = 1;
-    std::array<int, players> levels{1, 1};
+    std::array<std::string, players> bots{"1", "1"};  ///< bots by name or level (bots/bot_file.h)
     /// longest simulated time (s). The duel ends earlier when the match is over. The log then holds half a
     /// second more (log_after_end), so that a replay shows how the match ends.
     double seconds = 60;

@@ -29,6 +29,7 @@ struct Prospect {
     const Seat& seat;
     double distance;  ///< distance to the foe (m)
     double up;        ///< height of the foe above the bot's eye (m)
+    double gravity;   ///< downward acceleration of missiles (m/s^2)
     bool hidden;      ///< true: the foe has just gone out of sight
 };
 
@@ -43,7 +44,7 @@ bool hidden(const Mind& mind, Tick tick) {
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     const double reach =
         prospect.up + std::sqrt(prospect.up * prospect.up + prospect.distance * prospect.distance);
-    const auto slow = *wand.rules->shot(0), fast = *wand.rules->shot(1);
+    const auto slow = *wand.rules->shot(0, prospect.gravity), fast = *wand.rules->shot(1, prospect.gravity);
     const double least = std::sqrt(std::max(0.0, fast.fall * reach));
     const double speed = least * (prospect.hidden ? 1.05 : 1.5);
     const double range = fast.speed - slow.speed;
@@ -53,7 +54,7 @@ double draw_for(const LoadedWand& wand, const Prospect& prospect) {
 /// How far the bot would charge or draw this wand, 0 to 1; negative if the wand is of no use now. The wand
 /// must be one that shoots.
 double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospect& prospect, Random& random) {
-    const auto shot = [&](double share) { return *wand.rules->shot(share); };
+    const auto shot = [&](double share) { return *wand.rules->shot(share, prospect.gravity); };
     const double energy = belt.energy[wand.stats.energy_slot];
     if (energy < shot(0).energy || energy < wand.stats.energy_cost) return -1;
     const auto way = way_of(shot(0));
@@ -73,7 +74,7 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
     double liking = 0;
     for (const auto& wand : data.wands) {
-        const auto shot = wand.rules->shot(0);
+        const auto shot = wand.rules->shot(0, prospect.gravity);
         if (!shot || way_of(*shot) != way) continue;
         const double readiness = readiness_for(wand, belt, prospect, mind.random);
         if (readiness < 0) continue;
@@ -98,7 +99,9 @@ void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& pr
     if (take(data, belt, prospect, Way::arc, mind)) return;
     // No wand has enough energy. The bot still chooses one that shoots; when fire has no effect, it notices
     // the missing energy.
-    const auto shoots = [](const LoadedWand& wand) { return wand.rules->shot(0).has_value(); };
+    const auto shoots = [&](const LoadedWand& wand) {
+        return wand.rules->shot(0, prospect.gravity).has_value();
+    };
     const auto in_mind = [&](const LoadedWand& wand) { return shoots(wand) && wand.stats.slot == mind.wand; };
     if (std::any_of(data.wands.begin(), data.wands.end(), in_mind)) return;
     const auto first = std::find_if(data.wands.begin(), data.wands.end(), shoots);
@@ -125,7 +128,8 @@ bool choose_wand(const BotTurn& turn) {
     const bool readying = self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
     if (!readying) {
         const vec3 to = mind.foe - self.eye;
-        const Prospect prospect{self, seat, glm::length(to), to.y, hidden(mind, tick)};
+        const Prospect prospect{
+            self, seat, glm::length(to), to.y, match.data().wizard.gravity, hidden(mind, tick)};
         const bool over =
             prospect.hidden && self.shot.fall == 0 && mind.random.uniform() < seat.skill.over_cover;
         if (over && take(match.data(), belt, prospect, Way::arc, mind))

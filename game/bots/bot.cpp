@@ -26,7 +26,6 @@ namespace hand = input::hand;
 
 constexpr double reached = 1.2;      ///< distance from mind.goal at which the bot counts it as reached (m)
 constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot counts as stuck (m/s)
-constexpr Range distances{0, 100};   ///< allowed distances in a level's file (m)
 /// Time outside of the large connected regions of the ground (WalkGrid) after which a bot walks straight to
 /// the nearest region. A bot that only passes through such a place is out of it sooner.
 constexpr Tick stranded_after = ticks(2.0);
@@ -295,95 +294,10 @@ void think(BotTurn turn) {
 
 }  // namespace
 
-BotSkill read_marksmanship(const ConfigTable& table) {
-    BotSkill skill;
-    skill.reaction = ticks(table.number("reaction_s", {0, 0.9}));
-    skill.aim_error = table.number("aim_error_deg", {0, 90}) * radians_per_degree;
-    skill.turn_speed = table.number("turn_deg_per_s", {1, 3600}) * radians_per_degree;
-    skill.view_cos = det::cos(table.number("view_deg", {1, 360}) / 2 * radians_per_degree);
-    skill.burst = ticks(table.number("burst_s", {0.01, 60}));
-    skill.rest = ticks(table.number("rest_s", {0, 60}));
-    skill.range = table.number("range_m", distances);
-    return skill;
-}
-
-namespace {
-
-LiftSkill read_lifting(const ConfigTable& table) {
-    LiftSkill lift;
-    lift.share = table.number("share", {0, 1});
-    lift.seek = table.number("seek_m", distances);
-    lift.largest = table.number("largest_m", distances);
-    lift.lead = table.number("lead", {0, 2});
-    lift.within = table.number("within_deg", {0.1, 90}) * radians_per_degree;
-    lift.hold = ticks(table.number("hold_s", {0, 60}));
-    lift.rest = ticks(table.number("rest_s", {0, 60}));
-    lift.guards = table.boolean("guards", false) ? 1 : 0;
-    return lift;
-}
-
-StirSkill read_stirring(const ConfigTable& table) {
-    return {.share = table.number("share", {0, 1}),
-            .seek = table.number("seek_m", distances),
-            .hold = ticks(table.number("hold_s", {0.1, 60})),
-            .rest = ticks(table.number("rest_s", {0, 600})),
-            .brew = table.number("brew", {0, 1}, 0)};
-}
-
-CastSkill read_casting(const ConfigTable& table) {
-    return {.share = table.number("share", {0, 1}),
-            .force = table.number("force_n", {0.1, 10}),
-            .jitter = table.number("jitter", {0, 1}),
-            .harsh = table.number("harsh", {0, 1})};
-}
-
-EdgeSkill read_edge(const ConfigTable& table) {
-    return {.panic = table.number("panic_below_hp", {0, 1000}), .heedless = table.number("heedless", {0, 1})};
-}
-
-}  // namespace
-
-Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
-    if (level < easiest_bot || level > hardest_bot)
-        return fail(text("there is no bot of level ", level, ", only ", easiest_bot, " to ", hardest_bot));
-    const auto name = text("bots/level_", level, ".toml");
-    const auto source = read_text_file(assets / name, 1U << 16U);
-    if (!source) return source.error();
-    const auto file = Config::parse(*source, shown_path(assets, name), 1);
-    if (!file) return file.error();
-    const auto root = file->root();
-    const Range share{0, 1}, health{0, 1000};
-    BotSkill skill = read_marksmanship(root);
-    skill.level = static_cast<std::uint32_t>(level);
-    skill.keep = root.number("keep_m", distances);
-    skill.lead = root.number("lead", {0, 2});
-    skill.strafe = root.number("strafe", share);
-    skill.strafe_step = ticks(root.number("strafe_step_s", {0.05, 10}));
-    skill.dodges = root.boolean("dodges", false) ? 1 : 0;
-    skill.vial_below = root.number("vial_below_hp", health);
-    skill.spark_below = root.number("spark_below", share);
-    skill.reserve = root.number("reserve", share);
-    skill.cover_below = root.number("cover_below_hp", health);
-    skill.variety = root.number("variety", share);
-    skill.charge = root.number("charge", share);
-    skill.arcs = root.boolean("arcs", false) ? 1 : 0;
-    if (skill.arcs != 0) {
-        skill.throws = root.number("throws", share);
-        skill.over_cover = root.number("over_cover_per_s", {0, 100}) * gameplay_dt;
-    }
-    if (root.has("lift")) skill.lift = read_lifting(root.table("lift"));
-    if (root.has("stir")) skill.stir = read_stirring(root.table("stir"));
-    if (root.has("edge")) skill.edge = read_edge(root.table("edge"));
-    if (root.has("cast")) skill.cast = read_casting(root.table("cast"));
-    if (root.has("swing")) skill.swing_gain = root.table("swing").number("gain_m", {0.1, 100});
-    if (const auto checked = file->check(); !checked) return checked.error();
-    return skill;
-}
-
-input::DeviceSpec bot_device(std::uint32_t player, int level) {
+input::DeviceSpec bot_device(std::uint32_t player, std::string_view name) {
     return {.player = player,
             .kind = input::DeviceKind::bot,
-            .name = text("bot ", level),
+            .name = text("bot ", name),
             .look_rad_per_count = rad_per_count};
 }
 

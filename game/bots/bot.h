@@ -5,17 +5,13 @@
 // their samples, and a replay runs without them. Their state is kept in a World of its own, so that a match
 // with bots can be saved and continued.
 #pragma once
-#include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "core/bytes.h"
-#include "core/config.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game::inline bots {
-
-/// Lowest and highest level of a bot's skill.
-inline constexpr int easiest_bot = 0, hardest_bot = 3;
 
 /// Skill in the use of a wand that takes up and throws loose things.
 struct LiftSkill {
@@ -58,7 +54,7 @@ struct EdgeSkill {
     THAUM_FIELDS(EdgeSkill, panic, heedless);
 };
 
-/// Skill of a bot, from assets/bots/level_N.toml, which describes each number.
+/// Skill of a bot, from assets/bots/NAME.toml; level_1.toml describes each number.
 struct BotSkill {
     std::uint32_t level{};
     std::uint32_t dodges{};  ///< 1: the bot steps out of the way of bolts that it sees coming
@@ -94,14 +90,8 @@ struct BotSkill {
                  variety, charge, throws, over_cover, lift, stir, edge, cast, swing_gain);
 };
 
-/// Reads the part of a skill that concerns aiming and shooting, from the file of a level or of the practice
-/// range: reaction_s, aim_error_deg, turn_deg_per_s, view_deg, burst_s, rest_s, range_m.
-BotSkill read_marksmanship(const ConfigTable& table);
-/// Loads the skill of a level. The error is one line: a level that does not exist, or a fault in its file.
-Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level);
-
-/// Device by which a bot plays. Its motion is given in counts, like that of a mouse.
-input::DeviceSpec bot_device(std::uint32_t player, int level);
+/// Device by which the bot of a name plays. Its motion is given in counts, like that of a mouse.
+input::DeviceSpec bot_device(std::uint32_t player, std::string_view name);
 
 /// All bots of a match.
 class Bots {

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <string>
 
 #include "game/bots/bot.h"
 
@@ -18,8 +19,9 @@ struct BotDuel {
     void run(Tick count);
 };
 
-/// Creates a duel. The error is one line: a level that does not exist, or a fault in its file.
+/// Creates a duel. `names`: bots by name or level (bot_named). The error names a bot that
+/// does not exist, or a fault in its file.
 Expected<BotDuel> make_bot_duel(const std::filesystem::path& assets, std::shared_ptr<const MatchData> data,
-                                std::array<int, players> levels, std::uint64_t seed);
+                                std::array<std::string, players> names, std::uint64_t seed);
 
 }  // namespace thaum::game::inline bots

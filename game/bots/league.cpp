@@ -49,21 +49,20 @@ Row& row_of(std::vector<Row>& rows, const Row& fresh, Same same) {
 }
 
 void add_to_pair(const LeagueMatch& match, LeagueSummary& summary) {
-    const auto low = std::min(match.levels[0], match.levels[1]);
-    const auto high = std::max(match.levels[0], match.levels[1]);
+    const auto low = std::min(match.bots[0], match.bots[1]);
+    const auto high = std::max(match.bots[0], match.bots[1]);
     auto& pair = row_of(summary.pairs, LeaguePair{.low = low, .high = high},
                         [&](const LeaguePair& p) { return p.low == low && p.high == high; });
     ++pair.matches;
     if (match.winner >= players) return;
-    // If both levels are equal, player 0 counts as the lower one.
-    const bool high_won = low == high ? match.winner == 1 : match.levels[match.winner] == high;
+    // If both bots are equal, player 0 counts as the lower one.
+    const bool high_won = low == high ? match.winner == 1 : match.bots[match.winner] == high;
     high_won ? ++pair.high_wins : ++pair.low_wins;
 }
 
-void add_to_level(const LeagueMatch& match, std::uint32_t player, LeagueSummary& summary) {
-    const auto level = match.levels[player];
-    auto& row = row_of(summary.levels, LeagueLevel{.level = level},
-                       [&](const LeagueLevel& l) { return l.level == level; });
+void add_to_bot(const LeagueMatch& match, std::uint32_t player, LeagueSummary& summary) {
+    const auto bot = match.bots[player];
+    auto& row = row_of(summary.bots, LeagueBot{.bot = bot}, [&](const LeagueBot& b) { return b.bot == bot; });
     row.alive += match.alive[player];
     row.dry += match.dry[player];
     for (std::size_t cause = 0; cause < causes().size(); ++cause) {
@@ -101,11 +100,13 @@ void BalanceSums::add(const BalanceSums& other) {
 
 Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
                                         std::shared_ptr<const MatchData> data,
-                                        std::array<int, players> levels, std::uint64_t seed) {
-    auto duel = make_bot_duel(assets, std::move(data), levels, seed);
+                                        std::span<const std::string> names,
+                                        std::array<std::int32_t, players> bots, std::uint64_t seed) {
+    const auto name_of = [&](std::int32_t bot) { return names[static_cast<std::size_t>(bot)]; };
+    auto duel = make_bot_duel(assets, std::move(data), {name_of(bots[0]), name_of(bots[1])}, seed);
     if (!duel) return duel.error();
     const auto& match = *duel->match;
-    LeagueMatch result{.levels = {levels[0], levels[1]}, .seed = seed};
+    LeagueMatch result{.bots = bots, .seed = seed};
     BalanceCounter counter;
     std::uint64_t seen = 0;
     while (match.match().phase != Phase::over) {
@@ -131,7 +132,7 @@ LeagueSummary summarise(std::span<const LeagueMatch> matches) {
     for (const auto& match : matches) {
         add_to_pair(match, summary);
         if (match.winner < players) ++summary.seat_wins[match.winner];
-        for (std::uint32_t player = 0; player < players; ++player) add_to_level(match, player, summary);
+        for (std::uint32_t player = 0; player < players; ++player) add_to_bot(match, player, summary);
         add_balance(match, summary);
         for (std::uint32_t round = 0; round < match.rounds; ++round) {
             summary.round_s.push_back(seconds(match.lengths[round]));
@@ -140,8 +141,8 @@ LeagueSummary summarise(std::span<const LeagueMatch> matches) {
     }
     for (auto* times : {&summary.round_s, &summary.first_kill_s, &summary.between_kills_s})
         std::sort(times->begin(), times->end());
-    std::sort(summary.levels.begin(), summary.levels.end(),
-              [](const auto& a, const auto& b) { return a.level < b.level; });
+    std::sort(summary.bots.begin(), summary.bots.end(),
+              [](const auto& a, const auto& b) { return a.bot < b.bot; });
     std::sort(summary.pairs.begin(), summary.pairs.end(), [](const auto& a, const auto& b) {
         return std::pair(a.low, a.high) < std::pair(b.low, b.high);
     });

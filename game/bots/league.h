@@ -1,6 +1,7 @@
-// game/bots/league.h: matches between bots of different levels, and a summary of many such matches.
+// game/bots/league.h: matches between different bots, and a summary of many such matches.
 #pragma once
 #include <span>
+#include <string>
 #include <type_traits>
 
 #include "game/bots/balance.h"
@@ -28,7 +29,8 @@ struct BalanceSums {
 
 /// Result of one match of a league. It holds plain bytes, so that it can be sent between processes.
 struct LeagueMatch {
-    std::array<std::int32_t, players> levels{};
+    /// Place of each player's bot in the list of the league's bots, the weakest first.
+    std::array<std::int32_t, players> bots{};
     std::uint64_t seed{};
     std::uint32_t winner{no_player};  ///< winner of the match; no_player: a draw
     std::uint32_t rounds{};
@@ -46,24 +48,26 @@ struct LeagueMatch {
 
 static_assert(std::is_trivially_copyable_v<LeagueMatch>);
 
-/// Plays a match of two bots. The error is one line: a level that does not exist, or a fault in its file.
+/// Plays a match of two bots, of which the league's list `names` has the two at `bots`. The error names a bot
+/// that does not exist, or a fault in its file.
 Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
                                         std::shared_ptr<const MatchData> data,
-                                        std::array<int, players> levels, std::uint64_t seed);
+                                        std::span<const std::string> names,
+                                        std::array<std::int32_t, players> bots, std::uint64_t seed);
 
-/// Results of all matches between two levels, low <= high.
+/// Results of all matches between two bots, by their places in the league's list, low <= high.
 struct LeaguePair {
     std::int32_t low{}, high{};
     std::uint32_t matches{}, low_wins{}, high_wins{};
-    /// Share of matches won by the higher level. A draw counts half for each.
+    /// Share of matches won by the bot of the higher place. A draw counts half for each.
     double high_share() const {
         return matches == 0 ? 0 : (high_wins + 0.5 * (matches - low_wins - high_wins)) / matches;
     }
 };
 
-/// Results of one level over all its matches.
-struct LeagueLevel {
-    std::int32_t level{};
+/// Results of one bot over all its matches.
+struct LeagueBot {
+    std::int32_t bot{};  ///< place in the league's list
     std::uint32_t shots{}, hits{}, kills{}, deaths{};
     std::uint32_t falls{};  ///< part of `deaths` by a fall
     Tick alive{}, dry{};
@@ -71,9 +75,9 @@ struct LeagueLevel {
 
 struct LeagueSummary {
     std::vector<LeaguePair> pairs;
-    std::vector<LeagueLevel> levels;
+    std::vector<LeagueBot> bots;
     /// Matches won by player 0 and by player 1. In a fair arena both win equally often, since every seed is
-    /// played with each of the two levels in both places.
+    /// played with each of the two bots in both seats.
     std::array<std::uint32_t, players> seat_wins{};
     std::vector<double> round_s;                    ///< lengths of all rounds, sorted (s)
     std::uint32_t timed_out{};                      ///< number of rounds that ended because their time was up
@@ -85,7 +89,7 @@ struct LeagueSummary {
     double median_round_s() const;
 };
 
-/// Summarises matches. Pairs and levels are sorted.
+/// Summarises matches. Pairs and bots are sorted.
 LeagueSummary summarise(std::span<const LeagueMatch> matches);
 
 }  // namespace thaum::game::inline bots

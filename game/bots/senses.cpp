@@ -99,7 +99,7 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
         const auto& stats = wand->stats;
         self.wand = stats.slot;
         self.readiness = wand->rules->readiness(world, wizard).value_or(self.readiness);
-        const auto shot = wand->rules->shot(std::max(readiness, self.readiness));
+        const auto shot = wand->rules->shot(std::max(readiness, self.readiness), match.data().wizard.gravity);
         self.shot = shot.value_or(self.shot);
         const double energy = energy_in_hand(match.data(), belt);
         self.can_shoot = shot && energy >= std::max(stats.energy_cost, self.shot.energy);

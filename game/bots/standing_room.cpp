@@ -19,8 +19,8 @@ constexpr double above_feet = 0.25, below_feet = 0.5;
 
 StandingRoom::StandingRoom(std::shared_ptr<const MatchData> data)
     : data_(std::move(data)),
-      match_(
-          std::make_shared<Simulation>(data_, MatchSetup{.devices = {bot_device(0, 0), bot_device(1, 0)}})) {}
+      match_(std::make_shared<Simulation>(
+          data_, MatchSetup{.devices = {bot_device(0, "nobody"), bot_device(1, "nobody")}})) {}
 
 Expected<StandingRoom> StandingRoom::load(const std::filesystem::path& assets, const std::string& arena) {
     DataChoice choice;

@@ -72,7 +72,7 @@ vec3 meeting_point(const MatchContext& context, ecs::Entity foe, vec3 from, doub
 /// Speed of straight shots of the wand in hand (m/s); 0: the wand has none.
 double speed_in_hand(const MatchContext& context, ecs::Entity wizard) {
     const auto* wand = wand_in_slot(context.data, context.world.get<WandBelt>(wizard).selected);
-    const auto shot = wand != nullptr ? wand->rules->shot(1) : std::nullopt;
+    const auto shot = wand != nullptr ? wand->rules->shot(1, context.data.wizard.gravity) : std::nullopt;
     return shot && shot->fall == 0 ? shot->speed : 0;
 }
 

@@ -56,7 +56,7 @@ void declare_stations(ecs::World& world) {
 MatchContext::MatchContext(const MatchData& match_data, const MatchInput& match_input)
     : data(match_data),
       input(match_input),
-      physics(world, physics::Settings{}, data.arena.meshes),
+      physics(world, physics::Settings{.gravity = {0, -data.wizard.gravity, 0}}, data.arena.meshes),
       output(world) {}
 
 double force_cap(const HapticSetup& setup, std::uint32_t player) {

@@ -5,22 +5,21 @@
 #include "core/file.h"
 #include "core/one_line.h"
 #include "core/text.h"
+#include "game/data/file_names.h"
 
 namespace thaum::game::inline data {
 namespace {
 
-constexpr std::size_t max_data_file = 1U << 20U;
 /// Top-level tables of data files that no match reads: how events and things are shown, and the places of
 /// practice. Their values are not hashed.
 constexpr std::array<std::string_view, 4> unhashed_tables{"event", "look", "range", "sound"};
 
-}  // namespace
-
-bool plain_name(std::string_view name) {
-    return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-    });
+/// An override in messages, with the place where it is written.
+std::string told(const Override& one) {
+    return one.place.empty() ? text("--set ", one.value) : text(one.place, ": '", one.value, "'");
 }
+
+}  // namespace
 
 std::vector<std::string> DataLoader::names_in(const std::string& folder) {
     std::vector<std::string> names;
@@ -48,11 +47,10 @@ bool DataLoader::is_chosen(const std::string& name) const {
 
 void DataLoader::check_overrides() {
     for (std::size_t i = 0; i < used_.size(); ++i) {
-        if (!used_[i]) {
-            refuse({text(
-                "--set ", data_.choice.overrides[i],
-                ": must be FILE.KEY=VALUE with a data file of this match, such as bolt.shot.damage=12")});
-        }
+        if (used_[i]) continue;
+        refuse(
+            {text(told(overrides_[i]),
+                  ": must be FILE.KEY=VALUE with a data file of this match, such as bolt.shot.damage=12")});
     }
 }
 
@@ -70,14 +68,16 @@ Expected<Config> DataLoader::open(const std::string& name, bool decides) {
     if (!config) return config;
     if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
     const auto stem = std::filesystem::path(name).stem().string() + ".";
-    for (std::size_t i = 0; i < data_.choice.overrides.size(); ++i) {
-        const std::string_view entry = data_.choice.overrides[i];
+    for (std::size_t i = 0; i < overrides_.size(); ++i) {
+        const std::string_view entry = overrides_[i].value;
         const auto equals = entry.find('=');
         if (equals == std::string_view::npos || !entry.starts_with(stem)) continue;
         used_[i] = true;
         const auto replaced =
             config->replace(entry.substr(stem.size(), equals - stem.size()), entry.substr(equals + 1));
-        if (!replaced) return replaced.error();
+        if (replaced) continue;
+        if (overrides_[i].place.empty()) return replaced.error();
+        return Error{text(told(overrides_[i]), ": ", replaced.error().message)};
     }
     return config;
 }

@@ -6,24 +6,24 @@
 #include <iterator>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/config.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "game/data/match_data.h"
+#include "game/data/mutator.h"
 
 namespace thaum::game::inline data {
-
-/// Whether a text may be the name of a data file, without its ending: a-z, 0-9 and _, 1 to 64 of them.
-bool plain_name(std::string_view name);
 
 /// Reads data files into a MatchData. All faults that it meets are collected in `error`.
 class DataLoader {
 public:
-    DataLoader(const std::filesystem::path& assets, MatchData& data)
-        : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
+    DataLoader(const std::filesystem::path& assets, MatchData& data, std::vector<Override> overrides)
+        : assets_(assets), data_(data), overrides_(std::move(overrides)), used_(overrides_.size(), false) {
+        for (const auto& one : overrides_) data_.overrides.push_back(one.value);
+    }
 
     /// Reads a file with read(Config) and returns its value, or a default value if there is no such file. All
     /// faults are added to `error`. `decides`: the file can change a match, so the hash of its values is
@@ -95,7 +95,8 @@ private:
 
     const std::filesystem::path& assets_;
     MatchData& data_;
-    std::vector<bool> used_;           ///< whether a file took the override of the same index
+    std::vector<Override> overrides_;
+    std::vector<bool> used_;           ///< for each override, whether a file has the name that it begins with
     std::vector<std::string> faulty_;  ///< names of files with a fault
 };
 

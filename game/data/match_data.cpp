@@ -10,27 +10,14 @@
 #include "core/text.h"
 #include "game/components/potions.h"
 #include "game/data/data_loader.h"
+#include "game/data/file_names.h"
+#include "game/data/mutator.h"
 #include "game/data/name_finder.h"
+#include "game/data/rule_files.h"
 #include "gesture/gesture_file.h"
 
 namespace thaum::game::inline data {
 namespace {
-
-constexpr std::array<std::string_view, 2> rule_sets{"thaum", "classic"};
-Expected<void> check_name(const std::vector<std::string>& known, std::string_view name,
-                          std::string_view what) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return {};
-    std::string all;
-    for (const auto& one : known) all += text(all.empty() ? "" : ", ", one);
-    return fail(text("there is no ", what, " '", printable(name, 64), "'; there are: ", all,
-                     did_you_mean(name, known)));
-}
-
-std::vector<std::string> stems_in(const std::filesystem::path& folder) {
-    std::vector<std::string> stems;
-    for (const auto& file : files_in(folder, ".toml").value_or({})) stems.push_back(file.stem().string());
-    return stems;
-}
 
 /// Refuses a folder without any data files, because otherwise each file would be reported as missing.
 Expected<void> check_folder(const std::filesystem::path& assets) {
@@ -381,24 +368,13 @@ std::string shown_path(const std::filesystem::path& assets, std::string_view nam
     return (folder / name).string();
 }
 
-std::span<const std::string_view> rule_set_names() { return rule_sets; }
-
-std::vector<std::string> match_lengths(const std::filesystem::path& assets) {
-    auto names = stems_in(assets / "rules");
-    std::erase_if(names, [](const auto& name) {
-        return !plain_name(name) || std::find(rule_sets.begin(), rule_sets.end(), name) != rule_sets.end();
-    });
-    return names;
-}
-
 namespace {
 
 /// Refuses names for which there is no data.
 Expected<void> check_choice(const std::filesystem::path& assets, const DataChoice& choice) {
     if (auto there = check_folder(assets); !there) return there.error();
     if (auto known = check_arena_name(assets, choice.arena); !known) return known.error();
-    if (auto known = check_name({rule_sets.begin(), rule_sets.end()}, choice.rules, "rule set"); !known)
-        return known.error();
+    if (auto known = check_name(rule_sets(assets), choice.rules, "rule set"); !known) return known.error();
     if (auto known = check_name(match_lengths(assets), choice.match, "match"); !known) return known.error();
     if (const auto& fault = event_kinds().fault; !fault.empty()) return fail(fault);
     return {};
@@ -415,7 +391,12 @@ MatchReading read_match_data(const std::filesystem::path& assets, const DataChoi
         reading.error = known.error();
         return reading;
     }
-    DataLoader loader(assets, data);
+    auto overrides = overrides_of(assets, choice);
+    if (!overrides) {
+        reading.error = overrides.error();
+        return reading;
+    }
+    DataLoader loader(assets, data, std::move(*overrides));
     std::optional<Config> arena_file, haptics_file;
     const auto read_whole_arena = [&](const Config& file) {
         data.look = read_arena_look(file);

@@ -2,7 +2,6 @@
 #pragma once
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -26,8 +25,10 @@ namespace thaum::game::inline data {
 /// Names that select the data of a match.
 struct DataChoice {
     std::string arena = "boiling_court";
-    std::string rules = "thaum";  ///< rule set: thaum or classic
-    std::string match = "quick";  ///< length of the match: quick, standard or another file of assets/rules
+    std::string rules = "thaum";  ///< rule set: a file of assets/rules (rule_sets)
+    std::string match = "quick";  ///< length of the match: another file of assets/rules (match_lengths)
+    /// Mutators, files of assets/mutators, in the order in which they are applied; before `overrides`.
+    std::vector<std::string> mutators{};
     /// Values that replace those of data files, such as "bolt.shot.damage=12": file, key path, value.
     std::vector<std::string> overrides{};
     /// Names of the files that may be read, as LogHeader::files has them, so that a file added since a
@@ -63,6 +64,8 @@ struct MatchData {
     /// Spells, in the same order as wands. A spell's number is its index here.
     std::vector<LoadedSpell> spells;
     std::shared_ptr<const Presentation> presentation;  ///< how the match is shown; never null after loading
+    /// Values that replaced those of data files, by mutators and by the choice's overrides, in order.
+    std::vector<std::string> overrides{};
     /// All files that affect a match, each with the hash of its values before overrides.
     std::vector<input::DataFile> files;
 };
@@ -72,12 +75,6 @@ const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);
 
 /// Name of a data file in messages, with the name of its folder: "assets/wands/bolt.toml".
 std::string shown_path(const std::filesystem::path& assets, std::string_view name);
-
-/// Names that a rule set may have.
-std::span<const std::string_view> rule_set_names();
-/// Names that the length of a match may have: the names of the files in assets/rules that are no rule sets,
-/// sorted.
-std::vector<std::string> match_lengths(const std::filesystem::path& assets);
 
 /// Loads and checks all data of a match. The error names file, line and key of the first fault, and has one
 /// more line for every other fault.

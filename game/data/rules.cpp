@@ -6,6 +6,9 @@
 namespace thaum::game::inline data {
 namespace {
 
+/// Downward acceleration where no file says otherwise (m/s^2).
+constexpr double standard_gravity = 9.81;
+
 std::vector<Surge> read_surges(const ConfigTable& table) {
     std::vector<Surge> surges;
     for (const auto& name : table.keys()) {
@@ -65,6 +68,7 @@ RuleSet read_rule_set(const Config& file) {
 
 WizardRules read_wizard_rules(const Config& file) {
     WizardRules rules;
+    rules.gravity = file.root().number("gravity_m_s2", {0.1, 100}, standard_gravity);
     const auto body = file.root().table("body");
     rules.mass = body.number("mass_kg", {1, 1000});
     rules.radius = body.number("radius_m", {0.1, 2});
@@ -74,7 +78,7 @@ WizardRules read_wizard_rules(const Config& file) {
     rules.walk.walk_speed = walk.number("speed_m_s", {0, 50});
     rules.walk.ground_acceleration = walk.number("ground_acceleration_m_s2", {0, 1000});
     rules.walk.air_acceleration = walk.number("air_acceleration_m_s2", {0, 1000});
-    rules.walk.jump_speed = std::sqrt(2 * 9.81 * walk.number("jump_height_m", {0, 50}));
+    rules.walk.jump_speed = std::sqrt(2 * rules.gravity * walk.number("jump_height_m", {0, 50}));
     rules.walk.steepest_cos = det::cos(walk.number("max_slope_deg", {0, 89}) * radians_per_degree);
     rules.loose = ticks(walk.number("loose_s", {0, 10}));
     rules.loose_grip = walk.number("loose_grip", {0, 1});

@@ -28,12 +28,12 @@ struct BoilOverRules {
 /// Rules of rounds, which give a match its length: from assets/rules/quick.toml, standard.toml or another
 /// file there.
 struct RoundRules {
-    std::int32_t kills{};    ///< number of kills that win the round
-    Tick length{};           ///< length of a round (ticks)
-    std::uint32_t rounds{};  ///< largest number of rounds; more than half of them win the match
-    Tick interval{};         ///< ticks from the end of a round until the next one begins by itself
-    Tick respawn{};          ///< ticks from death until the wizard returns to life
-    Tick spawn_shield{};     ///< ticks without harm after returning to life
+    std::int32_t kills{};         ///< number of kills that win the round
+    Tick length{};                ///< length of a round (ticks)
+    std::uint32_t rounds{};       ///< largest number of rounds; more than half of them win the match
+    Tick interval{};              ///< ticks from the end of a round until the next one begins by itself
+    Tick respawn{};               ///< ticks from death until the wizard returns to life
+    Tick spawn_shield{};          ///< ticks without harm after returning to life
     std::vector<Surge> surges{};  ///< sorted by time; each lasts until the next one, or the end of the round
     BoilOverRules boil_over{};
 };
@@ -62,6 +62,8 @@ struct RuleSet {
 };
 
 struct WizardRules {
+    /// Downward acceleration of wizards, things and missiles in flight (m/s^2).
+    double gravity{};
     /// Mass (kg); radius, height, and height of the eye above the feet (m)
     double mass{}, radius{}, height{}, eye{};
     physics::MoverSettings walk{};

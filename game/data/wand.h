@@ -147,13 +147,15 @@ public:
     /// not.
     virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
     /// Force of the wand (N): the weight of the thing that it holds, or the tension of its rope; 0: nothing
-    /// is held.
-    virtual double holding_force(const ecs::World&, ecs::Entity) const { return 0; }
+    /// is held. `gravity`: downward acceleration in the match (m/s^2).
+    virtual double holding_force(const ecs::World&, ecs::Entity, double /*gravity*/) const { return 0; }
     /// Current charge or draw of the wand, 0 to 1; std::nullopt while it is neither charged nor drawn.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
     /// The shot of the wand when it is charged or drawn to `readiness`, 0 to 1; std::nullopt if the wand does
-    /// not shoot.
-    virtual std::optional<ShotKind> shot(double /*readiness*/) const { return std::nullopt; }
+    /// not shoot. `gravity`: downward acceleration in the match (m/s^2).
+    virtual std::optional<ShotKind> shot(double /*readiness*/, double /*gravity*/) const {
+        return std::nullopt;
+    }
     /// How the wand takes things up; std::nullopt if it does not.
     virtual std::optional<GraspKind> grasp() const { return std::nullopt; }
     /// The wand's rope; std::nullopt if it has none.

@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,7 +43,7 @@ struct ArmWish {
 struct Seat {
     SeatKind kind{};
     int pad = 0;                   ///< index of the pad in input::Pads
-    int level = 1;                 ///< level of the bot, 0 (easiest) to 3
+    std::string bot{};             ///< name of the bot, a file of assets/bots
     std::optional<ArmWish> arm{};  ///< request for a real arm in the same hand; std::nullopt: none
 };
 

@@ -5,7 +5,9 @@
 #include "core/config.h"
 #include "core/file.h"
 #include "core/text.h"
-#include "game/bots/bot.h"
+#include "game/bots/bot_file.h"
+#include "game/data/mutator.h"
+#include "game/data/rule_files.h"
 
 namespace thaum::game::inline live {
 namespace {
@@ -75,6 +77,30 @@ std::vector<MenuContext::Named> all_rules(const LivePlan& plan) {
     return all;
 }
 
+std::vector<MenuContext::Named> all_mutators(const std::filesystem::path& assets) {
+    std::vector<MenuContext::Named> all;
+    for (const auto& [name, file] : list_mutators(assets)) {
+        if (file)
+            all.push_back({name, file->shown, {}, file->words});
+        else
+            all.push_back(broken(name, file.error()));
+    }
+    return all;
+}
+
+std::vector<MenuContext::Named> all_bots(const std::filesystem::path& assets) {
+    std::vector<MenuContext::Named> all;
+    for (const auto& [name, file] : list_bots(assets)) {
+        if (file)
+            all.push_back({name, file->shown, {}, text(capitalised(file->style), ". ", file->words)});
+        else
+            all.push_back(broken(name, file.error()));
+    }
+    // The list must not be empty. Without a bot only two players can begin.
+    if (all.empty()) all.push_back({"", "none", strongest_bot(assets).error().message});
+    return all;
+}
+
 }  // namespace
 
 std::vector<MenuContext::Named> arena_choices(const std::filesystem::path& assets) {
@@ -89,22 +115,21 @@ std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::str
     return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin());
 }
 
+std::string label_of(const std::vector<MenuContext::Named>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const auto& n) { return n.name == name; });
+    return found == list.end() ? name : found->label;
+}
+
 MenuContext find_menu_context(const LivePlan& plan) {
-    MenuContext context{.rules = all_rules(plan),
+    MenuContext context{.bots = all_bots(plan.assets),
+                        .rules = all_rules(plan),
                         .arenas = all_arenas(plan),
+                        .mutators = all_mutators(plan.assets),
                         .first_start = plan.first_start,
                         .ends_match = plan.start_screen,
                         .start_fault = plan.start_fault};
-    for (const auto& wand : plan.data->wands) context.wands.at(wand.stats.slot) = capitalised(wand.name);
-    for (int level = easiest_bot; level <= hardest_bot; ++level) {
-        const auto skill = load_bot_skill(plan.assets, level);
-        if (skill)
-            context.levels.push_back(level);
-        else if (context.level_fault.empty())
-            context.level_fault = text("No level ", level, ": ", skill.error().message);
-    }
-    // The list must not be empty, so it gets the easiest level. The match will report the missing file.
-    if (context.levels.empty()) context.levels.push_back(easiest_bot);
+    for (const auto& wand : plan.data->wands)
+        context.wands.at(wand.stats.slot) = capitalised(wand.name);
     return context;
 }
 

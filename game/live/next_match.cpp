@@ -2,10 +2,12 @@
 
 namespace thaum::game::inline live {
 
-Expected<void> NextMatch::choose(const std::string& match, const std::string& arena) {
+Expected<void> NextMatch::choose(const std::string& match, const std::string& arena,
+                                 std::vector<std::string> mutators) {
     auto choice = data_->choice;
     choice.match = match;
     choice.arena = arena;
+    choice.mutators = std::move(mutators);
     auto data = load_match_data(assets_, choice);
     if (!data) return data.error();
     data_ = std::make_shared<const MatchData>(std::move(*data));

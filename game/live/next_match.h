@@ -23,7 +23,8 @@ public:
     /// Reads the data of a match again for each match, because the practice range lets players edit the
     /// files. `match`: the rules, a file of assets/rules. `arena`: a file of assets/arenas. After an error,
     /// which names file, line and key, the old data stays.
-    Expected<void> choose(const std::string& match, const std::string& arena);
+    Expected<void> choose(const std::string& match, const std::string& arena,
+                          std::vector<std::string> mutators = {});
     /// Makes the next match practice on the range. The error names file, line and key.
     Expected<void> open_range();
     /// Makes the next match the Apprentice, a tutorial on the practice range in an arena of its own. The

@@ -97,7 +97,7 @@ void ask_for_forces(const Settings& settings, std::uint32_t player, input::Devic
 }
 
 TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
-    if (seat.kind == SeatKind::bot) return {seat, bot_device(player, seat.level), nullptr, nullptr};
+    if (seat.kind == SeatKind::bot) return {seat, bot_device(player, seat.bot), nullptr, nullptr};
     if (seat.kind == SeatKind::dummy) return {seat, dummy_device(), nullptr, nullptr};
     input::DeviceSpec spec;
     spec.player = player;
@@ -129,7 +129,7 @@ Seats joined_seats(const MenuState& menu, const MenuContext& context, bool pract
     for (std::size_t p = 0; p < seats.size(); ++p) {
         const auto& device = menu.seats[p];
         seats[p] =
-            device ? seat_of(*device) : Seat{.kind = SeatKind::bot, .level = context.levels[menu.level]};
+            device ? seat_of(*device) : Seat{.kind = SeatKind::bot, .bot = context.bots[menu.bot].name};
     }
     if (practice) seats[dummys] = {.kind = SeatKind::dummy};
     return seats;

@@ -24,9 +24,9 @@ LiveMenu make_menu(const LivePlan& plan) {
     MenuState state;
     state.settings = plan.settings;
     state.dummy = static_cast<std::size_t>(plan.practice.value_or(DummyKind::still));
-    const auto level = std::find(context.levels.begin(), context.levels.end(), plan.settings.last.bot_level);
-    if (level != context.levels.end()) state.level = static_cast<std::size_t>(level - context.levels.begin());
+    state.bot = index_of(context.bots, plan.settings.last.bot);
     state.rules = index_of(context.rules, plan.data->choice.match);
+    state.mutators = plan.data->choice.mutators;
     state.arena = index_of(context.arenas, plan.data->choice.arena);
     return {std::move(state), std::move(context), plan.settings_file};
 }
@@ -192,7 +192,7 @@ void LiveSession::load_profile() {
 input::LogHeader LiveSession::log_header(std::uint64_t seed) const {
     std::vector<std::string> kinds;
     for (const auto& seat : shared_.seats)
-        kinds.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
+        kinds.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.bot) : "human");
     MatchSetup setup{.seed = seed, .devices = devices_of(shared_.seats, shared_.arms)};
     // load_profile has left out gestures that do not suit the match's data, so this does not fail.
     (void)use_profile(*next_.data(), profile_, setup);
@@ -465,9 +465,8 @@ Watch watched(const TakenSeats& seats) {
 
 }  // namespace
 
-/// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot against a
-/// person, and "Dummy" for the practice range's dummy. A replay has the names in its log. An empty name
-/// stands for the name of the team.
+/// Returns the players' names for the screen: those that they gave themselves, a bot's name against a person,
+/// and "Dummy" on the practice range. A replay has the names in its log. Empty: the name of the team.
 PlayerNames LiveSession::names() const {
     if (viewer_) return viewer_->names();
     const auto& seats = shared_.seats;
@@ -478,7 +477,8 @@ PlayerNames LiveSession::names() const {
         if (seats[p].hands != nullptr)
             names[p] = menu_.settings().players[p].name;
         else if (against_person)
-            names[p] = seat.kind == SeatKind::dummy ? std::string("Dummy") : text("Bot ", seat.level);
+            names[p] = seat.kind == SeatKind::dummy ? std::string("Dummy")
+                                                    : label_of(menu_.context().bots, seat.bot);
     }
     return names;
 }
@@ -567,7 +567,7 @@ bool LiveSession::succeeds(const Expected<void>& result) {
 Expected<void> LiveSession::load_chosen() {
     const auto& context = menu_.context();
     const auto& chosen = menu_.state();
-    return next_.choose(context.rules[chosen.rules].name, context.arenas[chosen.arena].name);
+    return next_.choose(context.rules[chosen.rules].name, context.arenas[chosen.arena].name, chosen.mutators);
 }
 
 /// Loads and shows the arena that the menu has chosen. If its file is faulty, the menu returns to the arena

@@ -5,7 +5,7 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 #include "core/threads.h"
-#include "game/bots/bot.h"
+#include "game/bots/bot_file.h"
 #include "game/casting/free_casting.h"
 #include "game/live/arm_pace.h"
 #include "game/live/shared.h"
@@ -109,7 +109,7 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
     for (std::uint32_t p = 0; p < players; ++p) {
         const auto& seat = s.shared.seats[p].seat;
         if (seat.kind != SeatKind::bot) continue;
-        const auto skill = load_bot_skill(s.plan.assets, seat.level);
+        const auto skill = load_bot_skill(s.plan.assets, seat.bot);
         if (!skill) {
             s.shared.simulation_error = skill.error();
             return false;

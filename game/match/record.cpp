@@ -12,6 +12,8 @@ namespace thaum::game::inline match {
 namespace {
 
 constexpr std::string_view match_parameter = "match=";
+/// A mutator by name, for people: what it changed stands in the header's overrides.
+constexpr std::string_view mutator_parameter = "mutator=";
 
 /// Data file that affects how a crystal feels. Older recordings do not list it, so its absence there is no
 /// difference.
@@ -60,8 +62,9 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     header.players = std::move(players);
     header.devices = setup.devices;
     header.files = data.files;
-    header.overrides = data.choice.overrides;
+    header.overrides = data.overrides;
     header.parameters = {text(match_parameter, data.choice.match)};
+    for (const auto& name : data.choice.mutators) header.parameters.push_back(text(mutator_parameter, name));
     header.kinds = kind_tables(data);
     header.profile = setup.profile;
     return header;
@@ -121,6 +124,7 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
     choice.overrides = header.overrides;
     choice.files = names_of(header.files);
     for (const auto& parameter : header.parameters) {
+        if (parameter.starts_with(mutator_parameter)) continue;
         if (!parameter.starts_with(match_parameter)) return fail(text("unknown parameter '", parameter, "'"));
         choice.match = parameter.substr(match_parameter.size());
     }

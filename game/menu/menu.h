@@ -56,17 +56,18 @@ struct MenuEvent {
     char32_t typed{};  ///< the typed character, for Kind::character
 };
 
-/// Choices that the menu offers. `levels`, `rules` and `arenas` are never empty.
+/// Choices that the menu offers. `bots`, `rules` and `arenas` are never empty.
 struct MenuContext {
     /// A data file: its name without folder and extension, and its label in the menu.
     struct Named {
         std::string name, label;
         std::string fault{};  ///< what is wrong with the file; empty: it can be chosen
+        std::string words{};  ///< what the menu says of it; empty: only what the row says of itself
     };
-    std::vector<int> levels{};
-    std::string level_fault{};  ///< why some levels of bots cannot be chosen; empty: all can
+    std::vector<Named> bots{};  ///< the weakest first
     std::vector<Named> rules{};
     std::vector<Named> arenas{};
+    std::vector<Named> mutators{};
     WandNames wands{};
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
@@ -137,11 +138,13 @@ struct MenuState {
     /// players often do that several times.
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
-    std::size_t level = 0, rules = 0, arena = 0;  ///< chosen entries: indices into lists of MenuContext
-    std::size_t dummy = 0;                        ///< kind of the range's practice dummy (DummyKind)
-    RangeChanges range{};                         ///< changes of the practice range's rules, such as endless
-                                                  ///< energy
-    std::size_t gesture = 0;                      ///< chosen gesture, an index into MenuContext::gestures
+    std::size_t bot = 0, rules = 0, arena = 0;  ///< chosen entries: indices into lists of MenuContext
+    /// Chosen mutators by name, in the order of MenuContext::mutators.
+    std::vector<std::string> mutators{};
+    std::size_t dummy = 0;    ///< kind of the range's practice dummy (DummyKind)
+    RangeChanges range{};     ///< changes of the practice range's rules, such as endless
+                              ///< energy
+    std::size_t gesture = 0;  ///< chosen gesture, an index into MenuContext::gestures
     /// index of the sheet (the bindings of one kind of device, or of the session) on the bindings page
     std::size_t sheet = 0;
     /// Joystick that is set up, or pad that is forgotten: index into

@@ -63,7 +63,7 @@ std::vector<MenuSeat> seats_of(const MenuState& s, const MenuContext& context) {
         const bool bot = !seat && joined(s) == 1;
         seats.push_back({.head = head_of_seat(s, i),
                          .device = seat  ? name_of_seat(s, context, *seat)
-                                   : bot ? text("press to join, or bot level ", context.levels[s.level])
+                                   : bot ? text("press to join, or bot: ", context.bots[s.bot].label)
                                          : std::string("press to join"),
                          .taken = seat.has_value()});
     }

@@ -100,7 +100,7 @@ void take_belt(const Simulation& match, ecs::Entity wizard, const LoadedWand* wa
 void take_draw(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand,
                const HandState& hand_state, PlayerPicture& out) {
     if (wand == nullptr || out.wand.readiness <= 0) return;
-    const auto shot = wand->rules->shot(out.wand.readiness);
+    const auto shot = wand->rules->shot(out.wand.readiness, match.data().wizard.gravity);
     if (!shot || !(shot->fall > 0)) return;
     take_arc(match, wizard, *shot, out);
     if (!(hand_state.tether.stiffness > 0)) return;
@@ -120,7 +120,8 @@ void take_target(const Simulation& match, ecs::Entity wizard, const LoadedWand* 
     constexpr double foe_reach = 60;  // distance up to which a foe under the crosshair is marked (m)
     if (wand == nullptr || out.stations.works()) return;
     out.wand.target = wand->rules->target(match.context(), wizard);
-    if (out.wand.target.kind != TargetKind::nothing || !wand->rules->shot(1)) return;
+    if (out.wand.target.kind != TargetKind::nothing || !wand->rules->shot(1, match.data().wizard.gravity))
+        return;
     const auto [eye, ahead] = sight_of(match.context(), wizard);
     const auto hit = match.physics().ray(eye, eye + foe_reach * ahead, physics::all_layers, wizard.index);
     const auto met = hit ? match.world().entity(hit->key) : ecs::Entity{};

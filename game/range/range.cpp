@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/bots/bot_file.h"
 #include "game/context/stations.h"
 #include "game/match/belt.h"
 #include "game/match/own_gestures.h"
@@ -79,7 +80,7 @@ RangeData changed(const RangeData& data, const RangeChanges& changes) {
 }
 
 input::DeviceSpec dummy_device() {
-    auto device = bot_device(dummys, 0);
+    auto device = bot_device(dummys, "dummy");
     device.name = "dummy";
     return device;
 }

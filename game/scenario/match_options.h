@@ -7,7 +7,8 @@ namespace thaum::game::inline scenario {
 struct MatchOptions {
     DataChoice data;
     std::uint64_t seed = 1;
-    std::array<int, players> bot_level{};  ///< level of the bot; 0: the script plays this wizard
+    /// Bot that plays each wizard, by name or level; empty: the script plays it.
+    std::array<std::string, players> bot{};
     using Percents = std::array<std::optional<std::uint32_t>, players>;
     /// Largest force for each player, as a share of the device's (%); null: set by the rules.
     Percents force{};

@@ -7,7 +7,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/bots/bot.h"
+#include "game/bots/bot_file.h"
 #include "game/components/hand_state.h"
 #include "game/components/station.h"
 #include "game/data/wand_slots.h"
@@ -31,7 +31,7 @@ input::DeviceSpec script_device(std::uint32_t player) {
     return {.player = player, .kind = input::DeviceKind::script, .name = "script", .moves_faders = true};
 }
 
-std::string player_name(int bot_level) { return bot_level == 0 ? "script" : text("bot ", bot_level); }
+std::string player_name(const std::string& bot) { return bot.empty() ? "script" : text("bot ", bot); }
 
 void note_fault(Play& play, const Error& fault) {
     if (play.write_fault.empty()) play.write_fault = fault.message;
@@ -43,7 +43,7 @@ void open_log(Play& play) {
     if (const auto removed = input::remove_log(play.log_path); !removed)
         return note_fault(play, removed.error());
     std::vector<std::string> names;
-    for (const int level : play.bot_level) names.push_back(player_name(level));
+    for (const auto& bot : play.bot) names.push_back(player_name(bot));
     auto log = input::LogWriter::create(play.log_path, log_header(*play.data, play.match->setup(), names),
                                         input::WhenBehind::wait);
     if (!log) return note_fault(play, log.error());
@@ -61,7 +61,7 @@ input::InputFrame frame_of(Play& play) {
     namespace hand = input::hand;
     input::InputFrame frame;
     for (std::size_t player = 0; player < players; ++player) {
-        if (play.bot_level[player] != 0) continue;
+        if (!play.bot[player].empty()) continue;
         auto& from = play.hands[player];
         auto& sample = frame.devices[player];
         sample.counts[hand::look_right] = part_of(from.look_right) + std::exchange(from.drawn_right, 0);
@@ -122,11 +122,11 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
     auto data = load_match_data(play.options->assets, wanted.data);
     if (!data) return data.error();
     play.data = std::make_shared<const MatchData>(std::move(*data));
-    play.bot_level = wanted.bot_level;
+    play.bot = wanted.bot;
     MatchSetup setup{.seed = wanted.seed, .devices = {}};
     for (std::uint32_t player = 0; player < players; ++player) {
-        const int level = wanted.bot_level[player];
-        setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
+        const auto& bot = wanted.bot[player];
+        setup.devices.push_back(bot.empty() ? script_device(player) : bot_device(player, bot));
         if (wanted.force[player]) setup.devices.back().set_force_percent(*wanted.force[player]);
         setup.devices.back().set_carried_percent(wanted.weight[player].value_or(100),
                                                  wanted.blows[player].value_or(100));
@@ -143,9 +143,8 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
     if (auto used = use_profile(*play.data, wanted.profile, setup); !used) return used;
     play.match = std::make_unique<Simulation>(play.data, setup);
     for (std::uint32_t player = 0; player < players; ++player) {
-        const int level = wanted.bot_level[player];
-        if (level == 0) continue;
-        const auto skill = load_bot_skill(play.options->assets, level);
+        if (wanted.bot[player].empty()) continue;
+        const auto skill = load_bot_skill(play.options->assets, wanted.bot[player]);
         if (!skill) return skill.error();
         if (!play.bots) play.bots = std::make_unique<Bots>();
         play.bots->add(*play.match, player, player, *skill, wanted.seed);

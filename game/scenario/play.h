@@ -97,7 +97,7 @@ struct Play {
     std::shared_ptr<const MatchData> data;
     std::unique_ptr<Simulation> match;  ///< null until the script calls match{}
     std::unique_ptr<Bots> bots;         ///< null unless a bot plays
-    std::array<int, players> bot_level{};
+    std::array<std::string, players> bot{};
     std::array<Hand, players> hands{};
     ScriptArms arms;
     Tick behind{};  ///< number of ticks that the arms have run while the match was stopped

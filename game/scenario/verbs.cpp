@@ -50,15 +50,14 @@ constexpr ButtonName button_names[] = {
 
 // ---- the match --------------------------------------------------------------------------------------------
 
-int read_player(lua_State* lua, int index) {
+/// Name or level of the bot that plays; empty for the script.
+std::string read_player(lua_State* lua, int index) {
+    constexpr std::string_view bot = "bot ";
     const auto who = arg::string(lua, index, "players");
-    if (who == "script") return 0;
-    const std::string_view level =
-        who.starts_with("bot ") ? std::string_view(who).substr(4) : std::string_view();
-    if (level.size() != 1 || level[0] < '1' || level[0] > '9') {
-        fault("players: '", who, "' is neither \"script\" nor \"bot LEVEL\"");
-    }
-    return level[0] - '0';
+    if (who == "script") return {};
+    if (!who.starts_with(bot) || who.size() == bot.size())
+        fault("players: '", who, "' is neither \"script\" nor \"bot NAME\" or \"bot LEVEL\"");
+    return who.substr(bot.size());
 }
 
 void read_players(lua_State* lua, int index, MatchOptions& wanted) {
@@ -66,7 +65,7 @@ void read_players(lua_State* lua, int index, MatchOptions& wanted) {
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
-        wanted.bot_level[i] = read_player(lua, -1);
+        wanted.bot[i] = read_player(lua, -1);
     }
 }
 
@@ -131,7 +130,7 @@ void read_flags(lua_State* lua, int index, const char* name, std::array<bool, pl
 void read_arms(lua_State* lua, int index, MatchOptions& wanted) {
     read_flags(lua, index, "arms", wanted.arm);
     for (std::size_t i = 0; i < players; ++i) {
-        if (wanted.arm[i] && wanted.bot_level[i] != 0) fault("player ", i + 1, " is a bot, and holds no arm");
+        if (wanted.arm[i] && !wanted.bot[i].empty()) fault("player ", i + 1, " is a bot, and holds no arm");
     }
 }
 
@@ -266,7 +265,7 @@ int verb_fail(lua_State* lua, void*) { fault(arg::string(lua, 1, "message")); }
 
 Hand& hand_of(Play& play, lua_State* lua) {
     const auto player = arg::player(lua, 1);
-    if (play.bot_level[player] != 0) fault("player ", player + 1, " is a bot: its hands are its own");
+    if (!play.bot[player].empty()) fault("player ", player + 1, " is a bot: its hands are its own");
     return play.hands[player];
 }
 

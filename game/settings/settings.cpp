@@ -123,8 +123,25 @@ void read_players(const ConfigTable& root, Settings& s) {
     divide_jackets(root, s);
 }
 
+/// The names in a list such as "fog, low_gravity".
+std::vector<std::string> names_in_list(std::string_view list) {
+    std::vector<std::string> names;
+    while (!list.empty()) {
+        const auto end = std::min(list.find(','), list.size());
+        auto name = list.substr(0, end);
+        list.remove_prefix(std::min(end + 1, list.size()));
+        while (name.starts_with(' ')) name.remove_prefix(1);
+        while (name.ends_with(' ')) name.remove_suffix(1);
+        if (!name.empty()) names.emplace_back(name);
+    }
+    return names;
+}
+
 void read_last_choice(const ConfigTable& root, LastChoice& last) {
-    last.bot_level = static_cast<int>(root.integer("bot_level", {0, 7}, last.bot_level));
+    // Files of earlier versions have a level, when bots had no other names.
+    if (root.has("bot_level")) last.bot = text("level_", root.integer("bot_level", {0, 7}, 0));
+    last.bot = root.string("bot", last.bot);
+    if (root.has("mutators")) last.mutators = names_in_list(root.string("mutators"));
     last.match = root.string("match", last.match);
     last.arena = root.string("arena", last.arena);
 }

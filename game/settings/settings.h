@@ -80,8 +80,8 @@ std::optional<std::uint32_t> force_percent_of(const PlayerSettings& player);
 
 /// The last choices on the start screen. If the data folder no longer has a chosen name, the default is used.
 struct LastChoice {
-    int bot_level = 0;
-    std::string match = "quick", arena = "boiling_court";
+    std::string bot = "level_0", match = "quick", arena = "boiling_court";
+    std::vector<std::string> mutators{};
     bool operator==(const LastChoice&) const = default;
 };
 

@@ -49,7 +49,10 @@ std::vector<SettingEdit> all_values(const Settings& settings) {
     std::vector<SettingEdit> values;
     for (const auto& setting : all_settings())
         values.push_back({"", std::string(setting.key), written(setting, settings)});
-    values.push_back({"", "bot_level", text(settings.last.bot_level)});
+    std::string mutators;
+    for (const auto& name : settings.last.mutators) mutators += text(mutators.empty() ? "" : ", ", name);
+    values.push_back({"", "mutators", in_quotes(mutators)});
+    values.push_back({"", "bot", in_quotes(settings.last.bot)});
     values.push_back({"", "match", in_quotes(settings.last.match)});
     values.push_back({"", "arena", in_quotes(settings.last.arena)});
     for (std::size_t p = 0; p < settings.players.size(); ++p)

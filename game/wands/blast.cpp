@@ -252,7 +252,7 @@ public:
                   .size = 0.12 + 0.1 * b.charge});
         });
     }
-    std::optional<ShotKind> shot(double readiness) const override {
+    std::optional<ShotKind> shot(double readiness, double) const override {
         return ShotKind{.speed = data_.speed.at(readiness),
                         .radius = data_.reach.at(readiness),
                         .energy = data_.energy.at(readiness),

@@ -155,7 +155,7 @@ public:
             show({.entity = e, .position = b.position, .velocity = b.velocity, .player = b.player});
         });
     }
-    std::optional<ShotKind> shot(double) const override { return ShotKind{.speed = data_.speed}; }
+    std::optional<ShotKind> shot(double, double) const override { return ShotKind{.speed = data_.speed}; }
 
 private:
     BoltData data_;

@@ -532,8 +532,7 @@ public:
     bool catch_thing(const WandUse& use, ecs::Entity thing) const override {
         return catch_loose(use, data_, thing);
     }
-    double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
-        constexpr double gravity = 9.81;
+    double holding_force(const ecs::World& world, ecs::Entity wizard, double gravity) const override {
         const auto held = held_thing(world, wizard);
         const auto* body = held ? world.find<Body>(held) : nullptr;
         return body != nullptr ? body->mass * gravity : 0;

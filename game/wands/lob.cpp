@@ -283,9 +283,9 @@ public:
                   .size = 0.1});
         });
     }
-    std::optional<ShotKind> shot(double readiness) const override {
+    std::optional<ShotKind> shot(double readiness, double gravity) const override {
         return ShotKind{.speed = data_.speed.at(readiness),
-                        .fall = -physics::Settings{}.gravity.y,
+                        .fall = gravity,
                         .radius = data_.reach,
                         .energy = data_.energy,
                         .held = true};

@@ -216,7 +216,7 @@ public:
         const auto& hand = world.get<SwingHand>(wizard);
         return hand.slot == slot_ && hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
     }
-    double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
+    double holding_force(const ecs::World& world, ecs::Entity wizard, double) const override {
         const auto& hand = world.get<SwingHand>(wizard);
         return hand.slot == slot_ ? hand.tension : 0;
     }

@@ -23,7 +23,7 @@ expect() {
 
 expect 2 "unknown option '--frobnicate'" --frobnicate
 expect 2 "unknown command 'brew'" brew
-expect 2 "must be a number from 0 to 3" --solo 4
+expect 2 "--solo: there is no bot 'levle_1'; there are: level_0, level_1, level_2, level_3; did you mean 'level_1'?" --solo levle_1
 expect 2 "exclude each other" --vs --demo
 expect 2 "must be mouse, half, pad or arm" --vs --hands mouse,foot
 expect 2 "--hands takes one or two" --vs --hands mouse,mouse
@@ -40,7 +40,7 @@ expect 2 "'damage' is -3" range --headless --set bolt.shot.damage=-3
 expect 2 "is given twice" --seed 1 --seed 2
 expect 2 "needs 1 value" --headless --seconds
 expect 2 "must be a number" --headless --seconds nan
-expect 2 "no rule set 'quick'; there are: thaum, classic" --headless --rules quick
+expect 2 "no rule set 'quick'; there are: classic, thaum" --headless --rules quick
 expect 2 "no match '../x'; there are: quick, standard" --headless --match ../x
 expect 2 "no name of an arena" --headless --arena ../boiling_court
 expect 2 "there is no arena 'nowhere'; there are: boiling_court, the_well" --headless --arena nowhere
@@ -71,14 +71,16 @@ with_benchmarks=$thaum thaum=$folder/alone/thaum
 expect 2 "build it" bench ecs
 thaum=$with_benchmarks
 rm -r "$folder/alone"
-expect 2 "--bots needs two levels" --headless --bots 2
-expect 2 "must be a number from 0 to 3" --headless --bots 2,x
+expect 2 "--bots needs two bots" --headless --bots 2
+expect 2 "there is no bot 'x'" --headless --bots 2,x
 expect 2 "is for --demo" --vs --bots 1,2
-expect 2 "needs different levels" league --levels 2,2
-expect 2 "must be a number from 0 to 3" league --levels 1,4
+expect 2 "there is no mutator 'fgo'; there are: everything_heavy, fog, " --headless --mutator fgo
+expect 2 "choose one of the two mutators" --headless --mutator low_gravity --mutator everything_heavy
+expect 2 "names level_2 twice" league --bots 2,level_2
+expect 2 "there is no bot '4'" league --bots 1,4
 expect 2 "must be a number" league --matches 0
 expect 2 "no rule set" league --rules none
-expect 1 "the median round takes 3 s" league --levels 1,2 --matches 2 --set quick.seconds=3 --check
+expect 1 "the median round takes 3 s" league --bots 1,2 --matches 2 --set quick.seconds=3 --check
 expect 2 "no scenario 'nothing'" scenario nothing
 expect 2 "plot needs one report" plot
 expect 2 "not an ordinary file" plot "$folder"
@@ -230,7 +232,7 @@ cmp -s "$folder/whole" "$folder/both" || { echo "failed: a refused state was sav
 [[ -z $(find "$folder" -name '*.part*') ]] || { echo "failed: half-written files stay"; failures=$((failures + 1)); }
 
 # A league has the same results with any number of processes.
-league=(league --levels 1,3 --matches 3 --set quick.seconds=6 --json -)
+league=(league --bots 1,3 --matches 3 --set quick.seconds=6 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 
 # Gestures: files that are wrong are refused in one line; a network and a gesture file are written whole.

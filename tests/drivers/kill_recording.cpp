@@ -37,8 +37,8 @@ struct Runner {
     const auto assets = game::find_assets();
     auto data = game::load_match_data(assets, {});
     if (!data) std::abort();
-    auto duel =
-        game::make_bot_duel(assets, std::make_shared<const game::MatchData>(std::move(*data)), {1, 1}, seed);
+    auto duel = game::make_bot_duel(assets, std::make_shared<const game::MatchData>(std::move(*data)),
+                                    {"level_1", "level_1"}, seed);
     if (!duel) std::abort();
     auto& match = *duel->match;
     auto log = input::LogWriter::create(runner.log,

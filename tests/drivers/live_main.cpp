@@ -20,7 +20,7 @@ live::Seat seat_of(std::string_view word) {
     if (word == "arm") return {.kind = SeatKind::keyboard_mouse, .arm = ArmWish{}};
     if (word == "half") return {.kind = SeatKind::keyboard_half};
     if (word == "pad") return {.kind = SeatKind::pad};
-    return {.kind = SeatKind::bot};
+    return {.kind = SeatKind::bot, .bot = "1"};
 }
 
 Stall::Thread thread_of(std::string_view word) {

@@ -52,7 +52,7 @@ refused() {
 
 # ---- commands that write a file: the input and the words; @ stands for the output --------------------------
 
-league="league --levels 1,2 --matches 20 --seed 5 --json @"
+league="league --bots 1,2 --matches 20 --seed 5 --json @"
 writers=(
     "log replay log --events @"
     "log replay log --state @"
@@ -192,7 +192,7 @@ echo old >goal && ln -s goal table_link
 "$thaum" replay log --events table_link >/dev/null || fail "a link to an old table"
 [[ -L table_link && $(head -c 3 goal) != old ]] || fail "a link was replaced instead of what it leads to"
 for words in "replay log --verify" "doctor --json -" "bench primitives --quick --json -" "scenario script.lua --once --json -" \
-    "league --levels 1,2 --matches 2 --set quick.seconds=3 --json -" "--headless --seconds 1" "replay --help"; do
+    "league --bots 1,2 --matches 2 --set quick.seconds=3 --json -" "--headless --seconds 1" "replay --help"; do
     # shellcheck disable=SC2086
     output=$("$thaum" $words 2>&1 >/dev/full </dev/null)
     [[ $? == 2 && $output == *"cannot write to standard output"* ]] || fail "thaum $words >/dev/full: said ${output:0:200}"

@@ -12,7 +12,7 @@
 #include <iostream>
 
 #include "core/text.h"
-#include "game/bots/bot.h"
+#include "game/bots/bot_file.h"
 #include "game/hud/hud.h"
 #include "render/context.h"
 
@@ -40,7 +40,7 @@ T must(Expected<T> value) {
 
 void play(Simulation& match, Tick count) {
     Bots bots;
-    const auto skill = must(load_bot_skill(find_assets(), 1));
+    const auto skill = must(load_bot_skill(find_assets(), "level_1"));
     for (std::uint32_t p = 0; p < players; ++p) bots.add(match, p, p, skill, 7 + p);
     for (Tick t = 0; t < count; ++t) {
         input::InputFrame frame;
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
     const render::Size size{number(4, 1280), number(5, 720)};
     const auto data = std::make_shared<const MatchData>(
         must(load_match_data(find_assets(), {.arena = argc > 11 ? argv[11] : "boiling_court"})));
-    Simulation match(data, {.seed = 3, .devices = {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation match(data, {.seed = 3, .devices = {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     play(match, static_cast<Tick>(number(2, 0)));
 
     auto context = must(render::Offscreen::create(size.width, size.height));

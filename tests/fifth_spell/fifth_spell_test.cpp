@@ -108,7 +108,7 @@ TEST(FifthSpell, ItRefusesByItself) {
 }
 
 TEST(FifthSpell, BotsCastItByStrokes) {
-    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {3, 3}, 2).value();
+    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {"level_3", "level_3"}, 2).value();
     std::uint64_t seen = 0;
     std::uint32_t casts = 0;
     for (int second = 0; second < 90 && casts == 0; ++second) {

@@ -21,7 +21,7 @@ std::string must_read(const std::filesystem::path& file) {
 /// Plays a match in which both players walk, jump and shoot. A fault causes an assertion or a crash.
 void play(game::MatchData data) {
     game::Simulation match(std::make_shared<const game::MatchData>(std::move(data)),
-                           {1, {game::bot_device(0, 1), game::bot_device(1, 1)}});
+                           {1, {game::bot_device(0, "level_1"), game::bot_device(1, "level_1")}});
     input::InputFrame frame;
     for (std::size_t d = 0; d < game::players; ++d) {
         frame.devices[d].counts[input::hand::forward] = 127;
@@ -78,8 +78,9 @@ Outcome read_bot(const std::string& input, const Places& places) {
     return with_file(places.assets / bot, input, [&]() -> Outcome {
         auto data = game::load_match_data(places.assets, {});
         if (!data) return {.fault = data.error().message};
-        auto duel = game::make_bot_duel(places.assets,
-                                        std::make_shared<const game::MatchData>(std::move(*data)), {1, 1}, 1);
+        auto duel =
+            game::make_bot_duel(places.assets, std::make_shared<const game::MatchData>(std::move(*data)),
+                                {"level_1", "level_1"}, 1);
         if (!duel) return {.refusal = duel.error().message};
         duel->run(played);
         return {.accepted = true};
@@ -94,7 +95,7 @@ Outcome read_range(const std::string& input, const Places& places) {
         const auto data = game::load_range(places.assets, {});
         if (!data) return {.refusal = data.error().message};
         auto match =
-            game::make_range(*data, game::bot_device(game::practising, 1), game::DummyKind::still, 1);
+            game::make_range(*data, game::bot_device(game::practising, "level_1"), game::DummyKind::still, 1);
         input::DeviceSample sample;
         sample.press(input::Button::fire);
         for (Tick t = 0; t < 3 * played; ++t) {
@@ -113,7 +114,8 @@ Outcome read_lessons(const std::string& input, const Places& places) {
     if (!lessons) return {.refusal = lessons.error().message};
     const auto data = game::load_range(places.assets, {});
     if (!data) return {.fault = data.error().message};
-    auto range = game::make_range(*data, game::bot_device(game::practising, 1), game::DummyKind::still, 1);
+    auto range =
+        game::make_range(*data, game::bot_device(game::practising, "level_1"), game::DummyKind::still, 1);
     game::Apprentice apprentice(std::move(*lessons));
     input::DeviceSample sample;
     sample.press(input::Button::fire);

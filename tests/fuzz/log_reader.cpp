@@ -34,7 +34,7 @@ std::vector<std::string> recorded_logs(const Places& places) {
     auto data = game::load_match_data(places.assets, {});
     if (!data) return {};
     auto duel = game::make_bot_duel(places.assets, std::make_shared<const game::MatchData>(std::move(*data)),
-                                    {1, 1}, 7);
+                                    {"level_1", "level_1"}, 7);
     if (!duel) return {};
     auto& match = *duel->match;
     auto log = input::LogWriter::create(folder / "duel",

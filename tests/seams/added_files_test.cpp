@@ -154,8 +154,8 @@ TEST(AddedFiles, AWandHoldsOnlyWhatItTookItself) {
     ASSERT_TRUE(tongs.rules->catch_thing(use, light));
     EXPECT_EQ(tongs.rules->held_thing(play.match.world(), wizard), light);
     EXPECT_FALSE(lift.rules->held_thing(play.match.world(), wizard));
-    EXPECT_EQ(lift.rules->holding_force(play.match.world(), wizard), 0);
-    EXPECT_GT(tongs.rules->holding_force(play.match.world(), wizard), 0);
+    EXPECT_EQ(lift.rules->holding_force(play.match.world(), wizard, 9.81), 0);
+    EXPECT_GT(tongs.rules->holding_force(play.match.world(), wizard, 9.81), 0);
 }
 
 TEST(AddedFiles, ASpellOfAKindHasItsOwnNumbersAndName) {

@@ -134,7 +134,7 @@ public:
             show({.entity = e, .position = h.position, .velocity = h.velocity, .player = h.player});
         });
     }
-    std::optional<ShotKind> shot(double) const override {
+    std::optional<ShotKind> shot(double, double) const override {
         return ShotKind{.speed = data_.speed, .fall = data_.fall, .energy = 0, .liking = 2};
     }
 

@@ -14,7 +14,7 @@ int main() {
     auto data = game::load_match_data(assets.path(), {});
     if (!data) return std::fprintf(stderr, "%s\n", data.error().message.c_str()), 1;
     auto duel = game::make_bot_duel(assets.path(), std::make_shared<const game::MatchData>(std::move(*data)),
-                                    {3, 2}, 11);
+                                    {"level_3", "level_2"}, 11);
     if (!duel) return std::fprintf(stderr, "%s\n", duel.error().message.c_str()), 1;
     for (int second = 0; second < 12; ++second) {
         duel->run(1000);

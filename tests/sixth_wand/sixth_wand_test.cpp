@@ -135,7 +135,8 @@ TEST(EventRows, EveryEventHasItsRowAndUnknownNamesAreErrorsWithTheirLine) {
 TEST(SixthWand, BotsShootWithItAndTheLeagueCountsItsKills) {
     auto overrides = only_hail();
     overrides.push_back("quick.kills=2");
-    const auto match = play_league_match(assets(), data_of(overrides), {3, 3}, 5).value();
+    const std::array<std::string, 1> league{"level_3"};
+    const auto match = play_league_match(assets(), data_of(overrides), league, {0, 0}, 5).value();
     const auto summary = summarise(std::array{match});
     EXPECT_GT(summary.kills[cause_of(hit_kind("hail_hit"))], 0U);
     EXPECT_EQ(summary.kills[cause_of(hit_kind("bolt_hit"))], 0U);
@@ -147,7 +148,7 @@ TEST(SixthWand, BotsShootWithItAndTheLeagueCountsItsKills) {
 }
 
 TEST(SixthWand, BotsTakeItAmongOthersThatShootAlike) {
-    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {3, 3}, 2).value();
+    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {"level_3", "level_3"}, 2).value();
     duel.run(60'000);
     const auto& match_stats = duel.match->world().single<EventLog>().match_stats;
     for (const auto* hit : {"hail_hit", "bolt_hit"}) {
@@ -158,7 +159,7 @@ TEST(SixthWand, BotsTakeItAmongOthersThatShootAlike) {
 
 TEST(SixthWand, IsNamedInFeedAndStripAndHasALookOfItsOwn) {
     const auto data = data_of();
-    Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation match(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     auto& context = match.context_to_change();
     const auto victim = wizard_of(match.world(), 1);
     hurt(context, victim, 0, {.points = 5, .by = 0, .how = hit_kind("hail_frost")});
@@ -224,7 +225,7 @@ std::uint64_t record_attack(const std::filesystem::path& file, std::uint32_t& hi
     for (const auto* more : {"hail.shot.lumps=100", "hail.shot.per_s=1", "hail.energy.cap=100000",
                              "wizard.health.start=1000000", "wizard.health.cap=1000000"})
         overrides.emplace_back(more);
-    auto duel = make_bot_duel(assets(), data_of(overrides), {3, 3}, 5).value();
+    auto duel = make_bot_duel(assets(), data_of(overrides), {"level_3", "level_3"}, 5).value();
     auto& match = *duel.match;
     auto log =
         input::LogWriter::create(file, log_header(match.data(), match.setup(), {"bot 3", "bot 3"})).value();
@@ -286,12 +287,12 @@ TEST(EventJournal, GrowsAndKeepsEveryEventOfTheLastSeconds) {
 }
 
 TEST(EventJournal, StartsAgainWithTheEventsOfARestoredState) {
-    Simulation match(data_of(), {1, {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation match(data_of(), {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     for (std::uint32_t i = 0; i < 100; ++i)
         record(match.context_to_change(), {.kind = EventKind::wrested, .subject = 0, .by = 0, .detail = i});
     Bytes state;
     match.save(state);
-    Simulation other(data_of(), {1, {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation other(data_of(), {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     ASSERT_TRUE(other.restore(state, 0));
     EXPECT_EQ(other.events().count(), match.events().count());
     EXPECT_EQ(other.events().first(), match.events().count() - 64);

@@ -53,7 +53,7 @@ void expect_sane(const Simulation& match) {
 TEST(GameHostile, WildInputLeavesEverythingFiniteAndInBounds) {
     Random random{12};
     Simulation match(duel_data({"quick.kills=1000", "wizard.health.start=20"}),
-                     {5, {bot_device(0, 1), bot_device(1, 1)}});
+                     {5, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     auto frame = wild_frame(random);
     for (Tick t = 0; t < 40'000; ++t) {
         if (random.below(20) == 0) frame = wild_frame(random);
@@ -68,7 +68,7 @@ TEST(GameHostile, PowerUpsRespectTheCapsInAnyState) {
     Random random{31};
     const auto data = duel_data(
         {"quick.kills=1000", "thaum.vial.again_s=0.1", "thaum.heart.again_s=0.1", "thaum.spark.again_s=0.1"});
-    Simulation match(data, {6, {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation match(data, {6, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     auto frame = wild_frame(random);
     for (Tick t = 0; t < 20'000; ++t) {
         if (random.below(20) == 0) frame = wild_frame(random);
@@ -92,7 +92,7 @@ TEST(GameHostile, PowerUpsRespectTheCapsInAnyState) {
 
 TEST(GameHostile, ALogOfOtherRulesOrDataIsRefusedInOneLineThatNamesTheDifference) {
     const auto data = duel_data();
-    const MatchSetup setup{1, {bot_device(0, 1), bot_device(1, 1)}};
+    const MatchSetup setup{1, {bot_device(0, "level_1"), bot_device(1, "level_1")}};
     const auto header = log_header(*data, setup, {"bot 1", "bot 1"});
     ASSERT_TRUE(match_of_log(header, assets()).has_value());
     const auto refusal = [](const input::LogHeader& changed) {
@@ -122,8 +122,8 @@ TEST(GameHostile, ALogOfOtherRulesOrDataIsRefusedInOneLineThatNamesTheDifference
 }
 
 TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesTheKind) {
-    const auto header =
-        log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    const auto header = log_header(*duel_data(), {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}},
+                                   {"bot 1", "bot 1"});
     const auto refusal = [&](auto change) {
         auto other = header;
         change(other.kinds);
@@ -154,7 +154,8 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
 
 TEST(GameHostile, ALogThatNamesNoKindsIsRefused) {
     const TemporaryFolder folder;
-    auto header = log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    auto header = log_header(*duel_data(), {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}},
+                             {"bot 1", "bot 1"});
     const auto refusal = [&](const char* name) {
         auto log = input::LogWriter::create(folder.path() / name, header).value();
         EXPECT_TRUE(log.close(""));
@@ -166,8 +167,8 @@ TEST(GameHostile, ALogThatNamesNoKindsIsRefused) {
 }
 
 TEST(GameHostile, ALogOfAnotherBuildIsReplayedWithAWarning) {
-    const auto header =
-        log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    const auto header = log_header(*duel_data(), {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}},
+                                   {"bot 1", "bot 1"});
     EXPECT_EQ(build_warning(header), "");
     EXPECT_TRUE(header.physics_library.starts_with("Bullet ")) << header.physics_library;
     EXPECT_EQ(header.physics_precision, "double");
@@ -204,7 +205,8 @@ TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongT
 TEST(ReplayCorpus, ALogOfAnOlderRulesVersionIsRefusedByName) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "older_rules.thaumlog";
-    auto header = log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    auto header = log_header(*duel_data(), {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}},
+                             {"bot 1", "bot 1"});
     header.rules_version = rules_version - 1;
     header.program = "0.0.9";
     ASSERT_TRUE(input::LogWriter::create(file, header)->close("").has_value());

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <deque>
 
+#include "game/bots/bot_file.h"
 #include "game/context/shot.h"
 #include "game/range/range.h"
 #include "input/collector.h"
@@ -178,7 +179,7 @@ class KeypadPlayer {
 public:
     KeypadPlayer() : hands_(input::default_bindings(input::DeviceKind::keyboard_half, numbered)) {
         hands_.set_turn_ramp(0.15);
-        skill_ = load_bot_skill(assets(), 1).value();
+        skill_ = load_bot_skill(assets(), "level_1").value();
     }
 
     input::DeviceSample sample(const Simulation& match) {

@@ -151,7 +151,7 @@ protected:
     static Practice make() {
         const auto lessons = game::load_lessons(assets_folder).value();
         const auto data = game::load_range(assets_folder, {.arena = lessons.arena}).value();
-        return {data, {game::bot_device(practising, 1)}, game::DummyKind::still, 1, lessons};
+        return {data, {game::bot_device(practising, "level_1")}, game::DummyKind::still, 1, lessons};
     }
     void tick(const DeviceSample& sample) {
         input::InputFrame frame;

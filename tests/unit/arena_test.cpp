@@ -274,7 +274,7 @@ TEST(TheWell, IsTheSameForBothPlayers) {
 /// Checks that bots can walk from both starts to every power-up, to every niche (where ingredients lie) and
 /// to the cauldron's rim.
 void expect_ways_everywhere(const std::shared_ptr<const MatchData>& data) {
-    const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const Simulation match(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     const auto& arena = data->arena;
     const WalkGrid grid(match.physics(), ground_bounds(arena));
     std::vector<vec3> goals;
@@ -302,7 +302,7 @@ TEST(ArenaWays, LeadFromEveryPadToEveryThingWorthAWalk) {
 
 TEST(ArenaWays, AreEquallyLongForBothPlayersOfTheWell) {
     const auto data = arena_data("the_well", assets());
-    const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const Simulation match(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     const WalkGrid grid(match.physics(), ground_bounds(data->arena));
     std::array<WalkGrid::Ways, players> ways;
     for (const auto& pad : data->arena.pads) {
@@ -319,7 +319,7 @@ TEST(ArenaWays, AreEquallyLongForBothPlayersOfTheWell) {
 
 TEST(ArenaWays, ABlockLeadsNowhereAndBesideItIsAWay) {
     const auto data = arena_data("the_well", assets());
-    const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const Simulation match(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     const WalkGrid grid(match.physics(), ground_bounds(data->arena));
     const vec3 beside_the_bowl{0.96, 0, -1.9};
     const int cell = grid.cell_at(beside_the_bowl);
@@ -336,7 +336,7 @@ TEST(ArenaWays, ABlockLeadsNowhereAndBesideItIsAWay) {
 
 TEST(ArenaWays, TheGridHasTheSizeOfTheGround) {
     const auto data = arena_data("yard", assets_with_yard());
-    const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const Simulation match(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     const WalkGrid grid(match.physics(), ground_bounds(data->arena));
     EXPECT_EQ(grid.cells(), 14 * 26);
     EXPECT_TRUE(grid.covers({30.5, 0, -29.5}));
@@ -350,7 +350,7 @@ TEST(ArenaWays, TheGridHasTheSizeOfTheGround) {
 
 TEST(ArenaWays, ABotInTheWellSwingsOverTheGapOfItsGallery) {
     const auto data = arena_data("the_well", assets());
-    const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const Simulation match(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     const WalkGrid grid(match.physics(), ground_bounds(data->arena));
     const auto crossings = find_crossings(match, grid);
     ASSERT_EQ(crossings.size(), 4U) << "the anchors over the two gaps, both ways";
@@ -370,9 +370,9 @@ struct MatchReport {
 };
 
 /// Plays one round to its end and records where the bots are.
-MatchReport play_round(const std::filesystem::path& folder, std::shared_ptr<const MatchData> data, int level,
-                       std::uint64_t seed) {
-    auto duel = make_bot_duel(folder, std::move(data), {level, level}, seed).value();
+MatchReport play_round(const std::filesystem::path& folder, std::shared_ptr<const MatchData> data,
+                       const std::string& bot, std::uint64_t seed) {
+    auto duel = make_bot_duel(folder, std::move(data), {bot, bot}, seed).value();
     MatchReport report{.heights = {1e9, -1e9}};
     std::array<vec3, players> rested{};
     std::array<Tick, players> since{};
@@ -407,22 +407,22 @@ TEST(ArenaMatch, BotsOfEveryLevelPlayTheWellToTheEnd) {
     // Rounds last up to 240 s, because the easiest bots need more than 120 s for a kill in a fifth of the
     // rounds.
     const auto data = arena_data("the_well", assets(), {"quick.kills=1", "quick.seconds=240"});
-    for (int level = 1; level <= hardest_bot; ++level) {
-        SCOPED_TRACE(level);
-        expect_a_lively_round(play_round(assets(), data, level, 21), 3);
+    for (const auto* bot : {"level_1", "level_2", "level_3"}) {
+        SCOPED_TRACE(bot);
+        expect_a_lively_round(play_round(assets(), data, bot, 21), 3);
     }
 }
 
 TEST(ArenaMatch, AnArenaThatOnlyATestHasIsPlayed) {
     const auto folder = assets_with_yard();
-    const auto report = play_round(folder, arena_data("yard", folder, {"quick.seconds=60"}), 3, 4);
+    const auto report = play_round(folder, arena_data("yard", folder, {"quick.seconds=60"}), "level_3", 4);
     expect_a_lively_round(report, 2);
 }
 
 TEST(ArenaMatch, ALogOfTheWellPlaysAgainToTheSameHashes) {
-    auto duel = make_bot_duel(assets(), arena_data("the_well", assets()), {2, 3}, 9).value();
+    auto duel = make_bot_duel(assets(), arena_data("the_well", assets()), {"level_2", "level_3"}, 9).value();
     duel.run(ticks(5.0));
-    auto again = make_bot_duel(assets(), arena_data("the_well", assets()), {2, 3}, 9).value();
+    auto again = make_bot_duel(assets(), arena_data("the_well", assets()), {"level_2", "level_3"}, 9).value();
     again.run(ticks(5.0));
     EXPECT_EQ(duel.match->state_hash(), again.match->state_hash());
     EXPECT_EQ(duel.match->force_hash(), again.match->force_hash());

@@ -257,7 +257,7 @@ std::pair<std::uint64_t, std::uint64_t> duel_felt(bool with_sound, std::size_t* 
     static const auto bank = audio::load_sounds(assets() / "sounds");
     EXPECT_TRUE(bank);
     static const auto all = felt_courses(*bank, shipped_bands());
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5).value();
+    auto duel = make_bot_duel(assets(), duel_data(), {"level_3", "level_3"}, 5).value();
     const JacketRig data;
     TactileScene scene(data.numbers, data.effects, 0);
     scene.set_hears(scene.add(data.jacket), true);

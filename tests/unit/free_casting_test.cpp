@@ -413,7 +413,7 @@ TEST(FreeCasting, TenMinutesOfBotsCastAtMostOnce) {
     std::size_t casts = 0;
     Tick played = 0;
     for (std::uint64_t seed = 1; played < ticks(600); ++seed) {
-        auto made = make_bot_duel(test::assets(), test::duel_data(), {3, 2}, seed).value();
+        auto made = make_bot_duel(test::assets(), test::duel_data(), {"level_3", "level_2"}, seed).value();
         auto& duel = made;
         auto setup = duel.match->setup();
         for (auto& device : setup.devices) device.casts_freely = true;

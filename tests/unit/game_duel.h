@@ -45,7 +45,7 @@ inline Event last_of(const Simulation& match, EventKind kind) {
 }
 
 inline BotDuel make_duel(std::uint64_t seed) {
-    return make_bot_duel(assets(), duel_data(), {1, 1}, seed).value();
+    return make_bot_duel(assets(), duel_data(), {"level_1", "level_1"}, seed).value();
 }
 
 }  // namespace thaum::game::test

@@ -142,7 +142,8 @@ TEST(GameRules, BothFallInTheBoilOverAndItGoesOnWithTheSameHealth) {
 
 TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
     auto data = load_match_data(assets(), {.rules = "classic", .match = "standard"}).value();
-    const auto header = log_header(data, {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    const auto header =
+        log_header(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}}, {"bot 1", "bot 1"});
     EXPECT_EQ(header.rule_set, "classic");
     const auto match = match_of_log(header, assets()).value();
     EXPECT_EQ(match->data().choice.rules, "classic");
@@ -174,8 +175,9 @@ TEST(GameMatchLog, AnotherDataFileIsRefusedAndOnlyMaterialsMayBeUnnamed) {
 }
 
 TEST(Match, TheResultNamesTheWinnerIfTheNameIsKnown) {
-    auto duel =
-        make_bot_duel(assets(), duel_data({"bolt.shot.damage=100", "quick.kills=1"}), {3, 3}, 5).value();
+    auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=100", "quick.kills=1"}),
+                              {"level_3", "level_3"}, 5)
+                    .value();
     auto& match = *duel.match;
     EXPECT_EQ(result_line(match, {"Ada", "Bot 3"}), result_line(match)) << "nobody has won yet";
     for (Tick t = 0; t < ticks(60.0) && match.match().phase != Phase::over; ++t)
@@ -207,7 +209,7 @@ TEST(GameRules, AGiftIsLimitedByTheCap) {
 }
 
 TEST(GameRules, TheResultListsStatisticsByPlayerAndCause) {
-    Simulation match(duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation match(duel_data(), {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     auto& world = match.world_to_change();
     const auto shot = static_cast<std::uint32_t>(hit_kind("bolt_hit"));
     for (int i = 0; i < 8; ++i)
@@ -230,7 +232,7 @@ TEST(GameRules, AMatchOfSeveralRoundsRestoresInTheMiddle) {
         .match = "standard",
         .overrides = {"standard.seconds=2", "standard.interval_s=1", "standard.boil_over.seconds=0"}};
     const auto data = std::make_shared<const MatchData>(load_match_data(assets(), choice).value());
-    auto duel = make_bot_duel(assets(), data, {1, 1}, 4).value();
+    auto duel = make_bot_duel(assets(), data, {"level_1", "level_1"}, 4).value();
     std::vector<input::InputFrame> frames;
     Bytes keyframe;
     while (duel.match->match().phase != Phase::over && frames.size() < 20000) {

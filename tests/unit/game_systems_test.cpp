@@ -141,7 +141,7 @@ TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
     for (Tick t = 0; t < 500; ++t) at_the_orb.tick(bench::searching(t));
     strike_out(at_the_orb, idle);
 
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 1).value();
+    auto duel = make_bot_duel(assets(), duel_data(), {"level_3", "level_3"}, 1).value();
     // Bots cast fog too seldom, so the test makes it.
     duel.match->world_to_change().create(Motion{}, Fog{.radius = 1, .sight = 1, .until = 5000});
     for (int s = 0; s < 245 && !idle.empty(); ++s) {

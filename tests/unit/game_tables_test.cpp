@@ -97,7 +97,8 @@ constexpr Tick state_every = 500;
 class TableRecording {
 public:
     TableRecording() {
-        auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=40"}), {1, 1}, 2).value();
+        auto duel =
+            make_bot_duel(assets(), duel_data({"bolt.shot.damage=40"}), {"level_1", "level_1"}, 2).value();
         auto& match = *duel.match;
         auto log =
             input::LogWriter::create(file_, log_header(match.data(), match.setup(), {"bot 1", "bot 1"}),

@@ -128,7 +128,8 @@ TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
     const auto data = duel_data();
     const auto reach = [&](std::array<std::uint32_t, 3> box_um, input::DeviceKind kind, double width) {
         const input::DeviceSpec arm{.player = 1, .kind = kind, .name = "arm", .box_um = box_um};
-        const Simulation match(data, {.seed = 1, .devices = {bot_device(0, 1), bot_device(1, 1), arm}});
+        const Simulation match(
+            data, {.seed = 1, .devices = {bot_device(0, "level_1"), bot_device(1, "level_1"), arm}});
         EXPECT_NEAR(reach_of_tip(match, 0, match.data().device.workspace.x), 0.8, 1e-12);
         EXPECT_EQ(match.haptic_setup().reach[0], data->device.workspace / 2.0);
         return reach_of_tip(match, 1, width);

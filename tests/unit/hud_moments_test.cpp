@@ -268,7 +268,7 @@ TEST(DrawnShot, ShowsTheWayThatTheStoneThenFlies) {
     const auto slot = std::find_if(data->wands.begin(), data->wands.end(), [](const LoadedWand& w) {
                           return w.name == "lob";
                       })->stats.slot;
-    Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation match(data, MatchSetup{1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     match.world_to_change().get<Gaze>(wizard_of(match.world(), 0)) = {-pi / 4, 0.3};
     input::InputFrame frame;
     frame.devices[0].wand = static_cast<std::uint8_t>(slot + 1);

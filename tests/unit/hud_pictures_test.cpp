@@ -79,7 +79,7 @@ protected:
         data =
             std::make_shared<const MatchData>(load_match_data(source / "assets", {.arena = arena}).value());
         arena_scene = make_arena_scene(*renderer, *data);
-        Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
+        Simulation match(data, MatchSetup{1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
         start = make_picture();
         take_picture(match, start);
     }

@@ -23,7 +23,8 @@ inline std::shared_ptr<const MatchData> match_data() {
 }
 
 inline std::unique_ptr<Simulation> new_match() {
-    return std::make_unique<Simulation>(match_data(), MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
+    return std::make_unique<Simulation>(match_data(),
+                                        MatchSetup{1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
 }
 
 inline Picture picture_of(const Simulation& match) {

@@ -62,7 +62,7 @@ protected:
     }
 
     LiveMenu menu_{{},
-                   {.levels = {1, 2, 3},
+                   {.bots = {{"level_1", "Beginner"}, {"level_2", "Adept"}, {"level_3", "Expert"}},
                     .rules = {{"quick", "quick"}, {"standard", "standard"}},
                     .arenas = {{"boiling_court", "Boiling Court"}},
                     .ends_match = true},
@@ -117,7 +117,7 @@ TEST_F(LiveMenuTest, TheWindowsTitleNamesPageAndRow) {
     EXPECT_EQ(title(), "Thaum");
     menu_.open("start");
     choose("Bot");
-    EXPECT_EQ(title(), "Thaum: Bot: level 1");
+    EXPECT_EQ(title(), "Thaum: Bot: Beginner");
     open_pause();
     EXPECT_EQ(title(), "Thaum (paused): Go on");
     choose("Settings");
@@ -298,7 +298,7 @@ TEST_F(LiveMenuTest, WAndSMoveTheChoiceAndAAndDTurnAValue) {
     press_all({"s", "s", "w"});
     EXPECT_EQ(cursor(), 1U);
     press_all({"d", "d", "a"});
-    EXPECT_EQ(value_of("Bot"), "level 2");
+    EXPECT_EQ(value_of("Bot"), "Adept");
     EXPECT_FALSE(menu_.state().seats[0]) << "keys that move do not join";
 }
 

@@ -47,9 +47,9 @@ inline input::PadState pad_at(input::PadAxis axis, double value) {
 inline TakenSeats seats_for(live::Seat first, live::Seat second, const Settings& settings = {}) {
     return take_seats(settings, {first, second});
 }
-constexpr live::Seat mouse_seat{.kind = SeatKind::keyboard_mouse}, half_seat{.kind = SeatKind::keyboard_half},
-    first_pad_seat{.kind = SeatKind::pad, .pad = 0}, second_pad_seat{.kind = SeatKind::pad, .pad = 1},
-    bot_seat{.kind = SeatKind::bot};
+inline const live::Seat mouse_seat{.kind = SeatKind::keyboard_mouse},
+    half_seat{.kind = SeatKind::keyboard_half}, first_pad_seat{.kind = SeatKind::pad, .pad = 0},
+    second_pad_seat{.kind = SeatKind::pad, .pad = 1}, bot_seat{.kind = SeatKind::bot, .bot = "level_1"};
 
 inline input::DeviceSample taken(const TakenSeats& seats, std::uint32_t player) {
     return seats[player].hands->take();

@@ -32,13 +32,13 @@ TEST(PlannedSeats, HalfOfTheKeyboardStandsInForAMissingPad) {
 }
 
 TEST(JoinedSeats, ABotTakesAnEmptySeatAndADummyTheSecondOneOfPractice) {
-    const MenuContext context{.levels = {1, 2, 3}};
+    const MenuContext context{.bots = {{"level_1", "Beginner"}, {"level_2", "Adept"}}};
     MenuState menu;
     menu.seats[1] = Device{DeviceKind::pad, 2};
-    menu.level = 1;
+    menu.bot = 1;
     auto seats = joined_seats(menu, context, false);
     EXPECT_EQ(seats[0].kind, SeatKind::bot);
-    EXPECT_EQ(seats[0].level, 2);
+    EXPECT_EQ(seats[0].bot, "level_2");
     EXPECT_EQ(seats[1].kind, SeatKind::pad);
     EXPECT_EQ(seats[1].pad, 2);
     menu.seats[0] = Device{DeviceKind::keyboard_half, 0};

@@ -19,7 +19,7 @@ using input::PadButton;
 /// Replay of a match of eight ticks.
 Expected<game::Playback> short_replay() {
     const rig::TestPath file("replay.thaumlog");
-    const game::MatchSetup setup{.devices = {game::bot_device(0, 1), game::bot_device(1, 1)}};
+    const game::MatchSetup setup{.devices = {game::bot_device(0, "level_1"), game::bot_device(1, "level_1")}};
     game::Simulation match(shipped_data(), setup);
     auto header = game::log_header(*shipped_data(), setup, {"human", "bot 1"});
     header.names = {"Ada", "Bot 1"};
@@ -303,12 +303,12 @@ TEST_F(LiveSessionTest, TheScreenNamesPlayersAndTheirControls) {
     step();
     EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{"Zoë", "Ann"}));
     plan_.settings.players[0].name.clear();
-    plan_.seats[1] = {.kind = SeatKind::bot, .level = 3};
+    plan_.seats[1] = {.kind = SeatKind::bot, .bot = "level_3"};
     begin();
     step();
-    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{"", "Bot 3"})) << "a bot has not Ann's name";
+    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{"", "Expert"})) << "a bot has not Ann's name";
     EXPECT_EQ(screen().hud.controls[1], game::ControlNames{}) << "a bot needs no prompt";
-    plan_.seats[0] = {.kind = SeatKind::bot, .level = 3};
+    plan_.seats[0] = {.kind = SeatKind::bot, .bot = "level_3"};
     begin();
     step();
     EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{})) << "two bots are told apart by their teams";

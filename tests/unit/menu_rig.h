@@ -19,7 +19,7 @@ constexpr Device keyboard{DeviceKind::keyboard_mouse, 0}, half{DeviceKind::keybo
 
 inline const MenuContext& context() {
     static const MenuContext context{
-        .levels = {1, 2, 3},
+        .bots = {{"level_1", "Beginner"}, {"level_2", "Adept"}, {"level_3", "Expert"}},
         .rules = {{"quick", "quick: first to 3"}, {"standard", "standard: first to 5"}},
         .arenas = {{"boiling_court", "Boiling Court"}},
         .pads = {"Make-believe pad", "Another pad", "", ""},

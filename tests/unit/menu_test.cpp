@@ -64,13 +64,13 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
     p = picture_of(s, context());
     EXPECT_TRUE(p.seats[0].taken);
     EXPECT_NE(p.seats[0].device.find("Make-believe pad"), std::string::npos);
-    EXPECT_NE(p.seats[1].device.find("level 1"), std::string::npos);
+    EXPECT_NE(p.seats[1].device.find("Beginner"), std::string::npos);
     s = choose(s, "Bot", Kind::left);
-    EXPECT_EQ(value_of(s, "Bot"), "level 3");
+    EXPECT_EQ(value_of(s, "Bot"), "Expert");
     s = choose(s, "Bot", Kind::right);
-    EXPECT_EQ(value_of(s, "Bot"), "level 1");
+    EXPECT_EQ(value_of(s, "Bot"), "Beginner");
     s = choose(choose(s, "Bot"), "Match");
-    EXPECT_EQ(s.level, 1U);
+    EXPECT_EQ(s.bot, 1U);
     EXPECT_EQ(value_of(s, "Match"), "standard: first to 5");
     EXPECT_EQ(s.request, MenuRequest::none);
 }
@@ -139,7 +139,8 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     plan.assets = folder;
     const auto before = find_menu_context(plan);
     ASSERT_FALSE(before.rules.empty());
-    EXPECT_EQ(before.levels.front(), game::easiest_bot);
+    ASSERT_EQ(before.bots.size(), 4U);
+    EXPECT_EQ(before.bots.front().label, "Novice");
     const auto arena_labels = [](const MenuContext& context) {
         std::vector<std::string> labels;
         for (const auto& arena : context.arenas) labels.push_back(arena.label);
@@ -147,20 +148,29 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     };
     EXPECT_EQ(arena_labels(before), (std::vector<std::string>{"Boiling Court", "The Well"}));
 
-    // Adds a longer match, a file that is not a match, and an invalid level.
+    // Adds a longer match, a file that is not a match, a bot, and a file that is no bot.
     auto rules = read_text_file(source / "rules" / "quick.toml", 1U << 16U).value();
     const auto at = rules.find("seconds = 240");
     ASSERT_NE(at, std::string::npos);
     ASSERT_TRUE(
         write_text_file(folder / "rules" / "a_long_one.toml", rules.replace(at, 13, "seconds = 665")));
     ASSERT_TRUE(write_text_file(folder / "rules" / "broken.toml", "version = 1\nkills = \"many\"\n"));
-    ASSERT_TRUE(write_text_file(folder / "bots" / "level_6.toml", "version = 1\n"));
+    ASSERT_TRUE(write_text_file(folder / "bots" / "a_broken_one.toml", "version = 1\n"));
+    ASSERT_TRUE(write_text_file(folder / "bots" / "brewer.toml",
+                                "version = 1\nbase = \"level_3\"\nname = \"Brewer\"\nstyle = \"alchemist\"\n"
+                                "words = \"Brews.\"\nlevel = 2\n[stir]\nbrew = 0.9\n"));
     std::filesystem::copy_file(THAUM_SOURCE_DIR "/tests/arenas/yard.toml", folder / "arenas/yard.toml");
     ASSERT_TRUE(write_text_file(folder / "arenas" / "broken.toml", "version = 1\nname = \n"));
     const auto after = find_menu_context(plan);
     EXPECT_EQ(arena_labels(after),
               (std::vector<std::string>{"Boiling Court", "broken: cannot be read", "The Well", "Yard"}));
-    EXPECT_EQ(after.levels, before.levels);
+    std::vector<std::string> bots;
+    for (const auto& bot : after.bots) bots.push_back(bot.label);
+    EXPECT_EQ(bots, (std::vector<std::string>{"Novice", "Beginner", "Brewer", "Adept", "Expert",
+                                              "a_broken_one: cannot be read"}));
+    EXPECT_EQ(after.bots[2].words, "Alchemist. Brews.");
+    EXPECT_EQ(after.bots[5].fault.find("thaum_menu_assets/bots/a_broken_one.toml:1: "), 0U)
+        << after.bots[5].fault;
     ASSERT_EQ(after.rules.size(), before.rules.size() + 2);
     EXPECT_EQ(after.rules[0].name, "a_long_one");
     EXPECT_EQ(after.rules[0].label, "a_long_one: first to 3, 11:05");
@@ -169,13 +179,24 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     EXPECT_EQ(after.rules[1].fault.find("thaum_menu_assets/rules/broken.toml:2: 'kills' must be"), 0U)
         << after.rules[1].fault;
     EXPECT_EQ(after.arenas[1].fault.find("thaum_menu_assets/arenas/broken.toml:2: "), 0U);
-    EXPECT_EQ(after.level_fault, "");
 
-    std::ofstream(folder / "bots" / "level_2.toml", std::ios::app) << "nonsense\n";
+    std::filesystem::remove_all(folder / "bots");
     const auto without = find_menu_context(plan);
-    EXPECT_EQ(without.levels, (std::vector<int>{0, 1, 3}));
-    EXPECT_EQ(without.level_fault.find("No level 2: thaum_menu_assets/bots/level_2.toml:"), 0U)
-        << without.level_fault;
+    ASSERT_EQ(without.bots.size(), 1U);
+    EXPECT_EQ(without.bots[0].fault, "thaum_menu_assets/bots: the folder has no bot, NAME.toml");
+}
+
+TEST(StartScreen, WithoutABotThatCanBeReadTwoPlayersPlay) {
+    auto none = context();
+    none.bots = {{"", "none", "assets/bots: the folder has no bot"}};
+    const auto press = [&](MenuState s, const Device& device) {
+        return step(std::move(s), {.kind = Kind::confirm, .device = device}, none);
+    };
+    auto s = press(press(start_page(), first_pad), first_pad);
+    EXPECT_EQ(s.request, MenuRequest::none);
+    EXPECT_EQ(s.note, "assets/bots: the folder has no bot");
+    s = press(press(start_page(), first_pad), second_pad);
+    EXPECT_EQ(press(s, first_pad).request, MenuRequest::start);
 }
 
 TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
@@ -199,7 +220,37 @@ TEST(StartScreen, RemembersItsChoicesInTheSettings) {
     auto s = start_page();
     for (const std::size_t row : {1UL, 2UL, 3UL})
         s = step(s, {.kind = Kind::right, .device = keyboard, .row = row}, two);
-    EXPECT_EQ(s.settings.last, (LastChoice{.bot_level = 2, .match = "standard", .arena = "the_well"}));
+    EXPECT_EQ(s.settings.last, (LastChoice{.bot = "level_2", .match = "standard", .arena = "the_well"}));
+}
+
+TEST(StartScreen, MutatorsAreTurnedOnAndOffOnAPageOfTheirOwn) {
+    auto some = context();
+    some.mutators = {{"fog", "Fog", "", "A cast fog is wide."},
+                     {"odd", "odd: cannot be read", "assets/mutators/odd.toml:2: wrong"},
+                     {"one_wand", "One wand"}};
+    const auto press = [&](MenuState s, std::string_view label) {
+        const auto rows = picture_of(s, some).rows;
+        const auto row = std::ranges::find(rows, label, &MenuRow::label);
+        EXPECT_NE(row, rows.end()) << label;
+        return step(
+            std::move(s),
+            {.kind = Kind::confirm, .device = keyboard, .row = static_cast<std::size_t>(row - rows.begin())},
+            some);
+    };
+    auto s = press(start_page(), "Mutators: none");
+    EXPECT_EQ(picture_of(s, some).title, "Mutators");
+    s = press(press(press(s, "One wand"), "Fog"), "odd: cannot be read");
+    EXPECT_EQ(s.mutators, (std::vector<std::string>{"fog", "one_wand"})) << "in the order of the page";
+    EXPECT_EQ(s.settings.last.mutators, s.mutators);
+    const auto rows = picture_of(s, some).rows;
+    EXPECT_EQ(rows[0].value, "on");
+    EXPECT_EQ(rows[0].help, "A cast fog is wide.");
+    EXPECT_EQ(rows[1].value, "off");
+    EXPECT_EQ(rows[1].help, "assets/mutators/odd.toml:2: wrong");
+    s = press(press(s, "Back"), "Mutators: Fog, One wand");
+    s = press(press(s, "Fog"), "Reset to defaults");
+    EXPECT_TRUE(s.mutators.empty());
+    EXPECT_TRUE(s.settings.last.mutators.empty());
 }
 
 TEST(StartScreen, ABrokenFileStaysInItsRowAndIsNotPlayed) {

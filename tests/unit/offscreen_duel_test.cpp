@@ -17,7 +17,7 @@ TEST(OffscreenDuelTest, TheLogGoesOnForHalfASecondAfterTheEndAsThatOfALiveMatch)
                                           .out = out.path(),
                                           .data = {.overrides = {"quick.kills=1", "bolt.shot.damage=100"}},
                                           .seed = 5,
-                                          .levels = {3, 3}});
+                                          .bots = {"level_3", "level_3"}});
     const auto said = testing::internal::GetCapturedStdout();
     EXPECT_EQ(code, 0) << said;
     auto playback = game::Playback::open(out.path() / "duel.thaumlog", game::test::assets()).value();

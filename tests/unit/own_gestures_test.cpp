@@ -300,7 +300,8 @@ TEST(OwnGestures, WrongProfileDataOfALogIsNamed) {
 
 TEST(OwnGestures, OnTheRangeChangeBetweenTwoTicks) {
     const auto data = game::load_range(game::test::assets(), {}).value();
-    auto range = game::make_range(data, game::bot_device(game::practising, 1), game::DummyKind::still, 3);
+    auto range =
+        game::make_range(data, game::bot_device(game::practising, "level_1"), game::DummyKind::still, 3);
     for (int t = 0; t < 100; ++t) range.tick({});
     const auto before = range.match->now();
     ASSERT_TRUE(range.use_gestures({game::profile_of(triangle(), game::practising)}));

@@ -116,8 +116,8 @@ struct Looking {
     ecs::Entity me;
 
     Looking(std::shared_ptr<const MatchData> data, std::string_view wand)
-        : match(std::make_unique<Simulation>(std::move(data),
-                                             MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}})) {
+        : match(std::make_unique<Simulation>(
+              std::move(data), MatchSetup{1, {bot_device(0, "level_1"), bot_device(1, "level_1")}})) {
         auto& world = match->world_to_change();
         me = wizard_of(world, 0);
         for (const auto& one : match->data().wands)

@@ -22,7 +22,7 @@ RangeData range_data(std::vector<std::string> overrides = {}) {
 }
 
 RangeMatch range_with(DummyKind kind, std::vector<std::string> overrides = {}) {
-    return make_range(range_data(std::move(overrides)), bot_device(practising, 1), kind, 3);
+    return make_range(range_data(std::move(overrides)), bot_device(practising, "level_1"), kind, 3);
 }
 
 const input::DeviceSample idle{};
@@ -118,7 +118,7 @@ TEST(Range, AStrafingDummyTurnsBackAtAPitAndAtAWall) {
     auto match = *data.match;
     match.arena.pads[dummys].feet = {-12, 0, -9};
     data.match = std::make_shared<const MatchData>(match);
-    auto range = make_range(data, bot_device(practising, 1), DummyKind::strafing, 3);
+    auto range = make_range(data, bot_device(practising, "level_1"), DummyKind::strafing, 3);
     const auto seen = watch_strafing(range, 20);
     EXPECT_GE(seen.turns, 5);
     EXPECT_NEAR(-12 + seen.west, -19.6, 1.2) << "the wall is on this side";
@@ -344,7 +344,7 @@ protected:
                                  "crystal.toml", "events.toml", "materials.toml", "orb.toml"})
             fs::copy(assets() / file, folder_);
         files_.emplace(RangeFiles::open(folder_, {}).value());
-        range_.emplace(make_range(files_->data(), bot_device(practising, 1), DummyKind::still, 3));
+        range_.emplace(make_range(files_->data(), bot_device(practising, "level_1"), DummyKind::still, 3));
     }
     std::string text_of(const std::string& file) const {
         return read_text_file(folder_ / file, 1U << 20U).value();
@@ -495,7 +495,7 @@ TEST_F(RangeFilesTest, EveryNumberOfTheRangeIsChecked) {
 TEST_F(RangeFilesTest, EveryArenaHasItsPlaces) {
     for (const std::string arena : {"boiling_court", "the_well"}) {
         const auto data = load_range(folder_, {.arena = arena}).value();
-        const auto range = make_range(data, bot_device(practising, 1), DummyKind::still, 3);
+        const auto range = make_range(data, bot_device(practising, "level_1"), DummyKind::still, 3);
         const auto& places = data.match->arena.practice;
         for (std::uint32_t player = 0; player < players; ++player)
             EXPECT_LT(glm::distance(place(range, player), places[player].feet + vec3(0, 0.9, 0)), 1e-9);

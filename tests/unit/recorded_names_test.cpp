@@ -14,13 +14,13 @@ class RecordedNames : public LiveSessionTest {};
 
 TEST_F(RecordedNames, TheLogOfAMatchHasTheNamesOfItsScreen) {
     plan_.settings.players[0].name = "Jos\u00e9";
-    plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::bot, .level = 3}};
+    plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::bot, .bot = "level_3"}};
     begin();
     step();
     const auto header = session_->log_header(7);
-    EXPECT_EQ(header.players, (std::vector<std::string>{"human", "bot 3"}));
+    EXPECT_EQ(header.players, (std::vector<std::string>{"human", "bot level_3"}));
     EXPECT_EQ(recorded_names(header), screen().hud.names);
-    EXPECT_EQ(recorded_names(header), (PlayerNames{"Jos\u00e9", "Bot 3"}));
+    EXPECT_EQ(recorded_names(header), (PlayerNames{"Jos\u00e9", "Expert"}));
 }
 
 TEST_F(RecordedNames, AMatchWithoutNamesHasNoneInItsLog) {

@@ -18,7 +18,8 @@ struct RecordedDuel {
     /// match.
     explicit RecordedDuel(std::string_view name, Tick ticks, std::optional<Tick> twisted = {})
         : path(folder.path() / name), length(ticks) {
-        auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=100"}), {3, 3}, 5).value();
+        auto duel =
+            make_bot_duel(assets(), duel_data({"bolt.shot.damage=100"}), {"level_3", "level_3"}, 5).value();
         auto& match = *duel.match;
         auto log = input::LogWriter::create(path, log_header(match.data(), match.setup(), {"bot 3", "bot 3"}),
                                             input::WhenBehind::wait)

@@ -193,7 +193,7 @@ TEST_F(ScenarioRunner, MisuseOfVerbsIsSaidAtTheLine) {
 TEST_F(ScenarioRunner, MisuseOfMatchIsSaid) {
     for (const auto& [source, wanted] :
          {Misuse{"match {arena = 'nowhere'}", "nowhere"}, Misuse{"match {set = {'quick.kils=1'}}", "kils"},
-          Misuse{"match {players = {'script', 'bot 9'}}", "no bot of level 9"},
+          Misuse{"match {players = {'script', 'bot 9'}}", "no bot '9'"},
           Misuse{"match {arms = {true}, players = {'bot 1', 'script'}}", "holds no arm"},
           Misuse{"match {arms = 3}", "arms must be a list"}, Misuse{"match {players = {'me'}}", "neither"},
           Misuse{"match(5)", "match takes a table"}}) {

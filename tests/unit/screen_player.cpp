@@ -134,7 +134,7 @@ const Words* Player::wanted_row(const Screen& seen) {
     };
     if (const auto* leave = row("Leave the Apprentice")) return leave;
     if (!done_lessons_) return row("Apprentice");
-    if (auto bot = matched(words_, "bot (level [0-9])"); !bot.empty()) bot_ = std::move(bot);
+    if (auto bot = matched(words_, "or bot: (\\w+)"); !bot.empty()) bot_ = std::move(bot);
     if (const auto* start = row("Start against the bot")) return start;
     return row("Duel");
 }

@@ -44,7 +44,7 @@ public:
     const std::string& name() const { return name_; }
     /// Whether the screen has shown that the Apprentice (the guided lessons) is completed.
     bool has_done_lessons() const { return done_lessons_; }
-    /// The bot that the start screen has named for the duel: "level 0".
+    /// The bot that the start screen has named for the duel: "Novice".
     const std::string& bot() const { return bot_; }
 
 private:

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <functional>
 
-#include "game/bots/bot.h"
+#include "game/bots/bot_file.h"
 #include "game/range/practice.h"
 #include "unit/live_session_rig.h"
 #include "unit/screen_player.h"
@@ -128,7 +128,7 @@ Play ScreenPlayer::begin_match() {
         for (const auto& seat : shared_.seats) devices.push_back(seat.spec);
         play.own = std::make_unique<game::Simulation>(session_->next().data(),
                                                       game::MatchSetup{plan_.seed, std::move(devices)});
-        const auto skill = game::load_bot_skill(plan_.assets, shared_.seats[1].seat.level).value();
+        const auto skill = game::load_bot_skill(plan_.assets, shared_.seats[1].seat.bot).value();
         play.bots.add(*play.own, 1, 1, skill, plan_.seed);
     }
     shared_.progress.state = PlayState::playing;
@@ -217,13 +217,13 @@ void ScreenPlayer::reach_duel() {
     pass_start_screen();
     part("start screen again");
     EXPECT_FALSE(session_->next().is_practice());
-    EXPECT_EQ(player_.bot(), "level 0");
+    EXPECT_EQ(player_.bot(), "Novice");
 }
 
 TEST_F(ScreenPlayer, WinsARoundByWhatIsOnTheScreenFromTheFirstStartOn) {
     reach_duel();
     auto play = begin_match();
-    EXPECT_EQ(shared_.seats[game::dummys].seat.level, 0);
+    EXPECT_EQ(shared_.seats[game::dummys].seat.bot, "level_0");
     count_down(play);
     play_until(play, [&] { return !player_.result().empty(); });
     part("duel");

@@ -157,6 +157,14 @@ TEST(Settings, EachPlayerHasATableAndOldFilesHaveTheValuesAtTheTop) {
     EXPECT_EQ(parse_settings(edited, "s")->players[0].sensitivity, 2);
 }
 
+TEST(Settings, ABotIsRememberedByNameAndOldFilesHaveItsLevel) {
+    EXPECT_EQ(parse_settings("version = 1\nbot_level = 2\n", "old").value().last.bot, "level_2");
+    EXPECT_EQ(parse_settings("version = 1\nbot_level = 2\nbot = \"rival\"\n", "new").value().last.bot,
+              "rival");
+    EXPECT_EQ(parse_settings("version = 1\nmutators = \" fog,low_gravity, \"\n", "new").value().last.mutators,
+              (std::vector<std::string>{"fog", "low_gravity"}));
+}
+
 TEST(Settings, EachPlayerHasSticksAndOldFilesHaveOneDeadZoneForBoth) {
     const auto own = parse_settings(
         "version = 1\n[player_1]\nstick_dead_zone = 0.05\nstick_curve = 0\n"
@@ -265,7 +273,8 @@ Settings all_different() {
     s.players[1].name = "Two";
     s.players[0].jacket = "osc:vest.local:1027";
     s.players[1].jacket = "osc16:[fe80::1%eth0]:1";
-    s.last = {.bot_level = 3, .match = "standard", .arena = "the \"well\""};
+    s.last = {
+        .bot = "level_3", .match = "standard", .arena = "the \"well\"", .mutators = {"fog", "low_gravity"}};
     for (std::size_t p = 0; p < s.cauldron.size(); ++p) {
         for (std::size_t i = 0; i < s.cauldron[p].size(); ++i)
             s.cauldron[p][i] = {.share = static_cast<double>(i + p) / 20, .on = (i + p) % 2 == 0};

@@ -101,7 +101,7 @@ struct Played {
 };
 
 Played play_bots(Tick count, bool listen) {
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5).value();
+    auto duel = make_bot_duel(assets(), duel_data(), {"level_3", "level_3"}, 5).value();
     Listening heard(*duel.match);
     heard.take();
     Played out;

@@ -258,7 +258,7 @@ TEST(TactileScene, TheHeartBeatsWhileTheFoeHoldsTheGreatWork) {
 }
 
 std::uint64_t frames_of_bots(std::uint64_t* state) {
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5).value();
+    auto duel = make_bot_duel(assets(), duel_data(), {"level_3", "level_3"}, 5).value();
     const auto effects = effects_of(duel.match->data());
     TactileScene scene(effects, loaded().effects, 1);
     scene.add(loaded().figure);
@@ -276,7 +276,7 @@ std::uint64_t frames_of_bots(std::uint64_t* state) {
 TEST(TactileScene, EqualMatchesGiveEqualFramesAndFeelingChangesNothing) {
     std::uint64_t first = 0, second = 0;
     EXPECT_EQ(frames_of_bots(&first), frames_of_bots(&second));
-    auto plain = make_bot_duel(assets(), duel_data(), {3, 3}, 5);
+    auto plain = make_bot_duel(assets(), duel_data(), {"level_3", "level_3"}, 5);
     plain->run(ticks(30));
     EXPECT_EQ(first, plain->match->state_hash());
     EXPECT_EQ(second, first);

@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/bots/bot_file.h"
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
 #include "game/components/orb.h"
@@ -210,11 +211,13 @@ private:
 /// A duel of the best bots, whose hands may also cast spells without a button, so that all their motion is
 /// read for gestures.
 Expected<game::BotDuel> gesturing_duel(std::shared_ptr<const game::MatchData> data) {
-    const auto skill = game::load_bot_skill(game::find_assets(), game::hardest_bot);
+    const auto bot = game::strongest_bot(game::find_assets());
+    if (!bot) return bot.error();
+    const auto skill = game::load_bot_skill(game::find_assets(), *bot);
     if (!skill) return skill.error();
     game::MatchSetup setup{.seed = 1, .devices = {}};
     for (std::uint32_t player = 0; player < game::players; ++player) {
-        setup.devices.push_back(game::bot_device(player, game::hardest_bot));
+        setup.devices.push_back(game::bot_device(player, *bot));
         setup.devices.back().casts_freely = true;
     }
     game::BotDuel duel{std::make_unique<Simulation>(std::move(data), std::move(setup)), {}};

@@ -12,10 +12,10 @@ namespace {
 /// Bots decide only once in this many ticks, so the time of a tick is the mean over this number of ticks.
 constexpr Tick together = game::gameplay_period;
 
-void measure_bots(const Options& options, int level, Report& report) {
+void measure_bots(const Options& options, const game::BotFile& bot, Report& report) {
     auto data = duel_data();
     if (!data) return;
-    auto duel = game::make_bot_duel(game::find_assets(), data, {level, level}, 1);
+    auto duel = game::make_bot_duel(game::find_assets(), data, {bot.name, bot.name}, 1);
     if (!there(duel, "tick/bots")) return;
     std::vector<double> bots_us(options.quick ? 2'500 : 15'000);
     double match_us = 0;
@@ -33,23 +33,24 @@ void measure_bots(const Options& options, int level, Report& report) {
     }
     const double bots_mean = mean(bots_us);
     const double match_mean = match_us / static_cast<double>(bots_us.size() * together);
-    report.rows.push_back({.area = "tick",
-                           .name = "bots",
-                           .setting = {{"bots", std::int64_t{game::players}}, {"level", std::int64_t{level}}},
-                           .time_us = times(bots_us),
-                           .is_default = true,
-                           .metrics = {{"mean_us", bots_mean},
-                                       {"match_us", match_mean},
-                                       {"share_of_tick", bots_mean / (bots_mean + match_mean)},
-                                       {"ticks", static_cast<double>(bots_us.size() * together)}},
-                           .hash = hex(duel->match->state_hash())});
+    report.rows.push_back(
+        {.area = "tick",
+         .name = "bots",
+         .setting = {{"bots", std::int64_t{game::players}}, {"level", std::int64_t{bot.skill.level}}},
+         .time_us = times(bots_us),
+         .is_default = true,
+         .metrics = {{"mean_us", bots_mean},
+                     {"match_us", match_mean},
+                     {"share_of_tick", bots_mean / (bots_mean + match_mean)},
+                     {"ticks", static_cast<double>(bots_us.size() * together)}},
+         .hash = hex(duel->match->state_hash())});
 }
 
 }  // namespace
 
 void tick_bots(const Options& options, Report& report) {
-    for (int level = game::easiest_bot; level <= game::hardest_bot; ++level)
-        measure_bots(options, level, report);
+    for (const auto& bot : game::list_bots(game::find_assets()))
+        if (there(bot.file, "tick/bots")) measure_bots(options, *bot.file, report);
 }
 
 }  // namespace thaum::bench

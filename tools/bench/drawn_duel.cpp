@@ -9,7 +9,7 @@ Expected<std::unique_ptr<DrawnDuel>> DrawnDuel::create() {
     const auto assets = game::find_assets();
     const auto data = duel_data();
     if (!data) return fail("the data files could not be loaded; see the message above");
-    auto duel = game::make_bot_duel(assets, data, {1, 1}, 1);
+    auto duel = game::make_bot_duel(assets, data, {"1", "1"}, 1);
     if (!duel) return duel.error();
     auto context = render::Offscreen::create(window.width, window.height);
     if (!context) return context.error();

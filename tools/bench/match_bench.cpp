@@ -38,9 +38,7 @@ void tick_duel(const Options& options, Report& report) {
     report.rows.push_back(
         {.area = "tick",
          .name = "duel",
-         .setting = {{"bots", std::int64_t{2}},
-                     {"level", std::int64_t{game::hardest_bot}},
-                     {"physics_period", std::int64_t{game::physics_period}}},
+         .setting = {{"bots", std::int64_t{2}}, {"physics_period", std::int64_t{game::physics_period}}},
          .time_us = times(samples),
          .is_default = true,
          .metrics = {{"mean_us", mean(samples)},

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "game/bots/bot_file.h"
 #include "game/data/match_data.h"
 #include "tools/bench/measure.h"
 
@@ -48,7 +49,9 @@ ecs::SystemCount SceneMatch::counted(std::string_view system) const {
 Expected<game::BotDuel> heaviest_duel() {
     auto data = duel_data();
     if (!data) return fail("the data files could not be loaded; see the message above");
-    return game::make_bot_duel(game::find_assets(), data, {game::hardest_bot, game::hardest_bot}, 1);
+    const auto bot = game::strongest_bot(game::find_assets());
+    if (!bot) return bot.error();
+    return game::make_bot_duel(game::find_assets(), data, {*bot, *bot}, 1);
 }
 
 std::optional<SceneMatch> idle_match(std::vector<std::string> overrides) {

@@ -30,9 +30,8 @@ Expected<void> record(Tick length, RecordedDuel& duel) {
     auto scene = heaviest_duel();
     if (!scene) return scene.error();
     auto& match = *scene->match;
-    const auto bot = text("bot ", game::hardest_bot);
-    auto log = input::LogWriter::create(duel.file, game::log_header(match.data(), match.setup(), {bot, bot}),
-                                        input::WhenBehind::wait);
+    auto log = input::LogWriter::create(
+        duel.file, game::log_header(match.data(), match.setup(), {"bot", "bot"}), input::WhenBehind::wait);
     if (!log) return log.error();
     for (Tick t = 0; t < length; ++t) {
         const double start = now_us();

@@ -10,6 +10,7 @@
 
 #include "core/hash.h"
 #include "core/text.h"
+#include "game/bots/bot_file.h"
 #include "game/bots/duel.h"
 #include "game/senses/senses.h"
 #include "tools/bench/areas.h"
@@ -21,7 +22,6 @@ namespace {
 constexpr Tick usual_ticks = 10'000'000;
 constexpr Tick check_interval = 1000;
 constexpr Tick hash_every = 1U << 14U;
-constexpr int highest_level = 99;  ///< highest level of bots that is looked for
 constexpr double farthest_m = 200, fastest_m_s = 250, may_grow_mib = 8;
 
 double rss_mib() {
@@ -29,14 +29,6 @@ double rss_mib() {
     double size = 0, resident = 0;
     statm >> size >> resident;
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1U << 20U);
-}
-
-int best_level(const std::filesystem::path& assets) {
-    int best = 1;
-    for (int level = 1; level <= highest_level; ++level) {
-        if (game::load_bot_skill(assets, level)) best = level;
-    }
-    return best;
 }
 
 /// First quantity of the match that is out of bounds; empty: none.
@@ -88,7 +80,7 @@ std::string disorder(const game::Senses& senses) {
 struct Course {
     std::shared_ptr<const game::MatchData> data{};
     std::filesystem::path assets{};
-    int level{};
+    std::string bot{};  ///< name of the bots' file
     Tick ticks{};
     const char* name = nullptr;  ///< name of this run in the progress lines on the screen; null: no such
                                  ///< lines
@@ -137,8 +129,7 @@ void follow(const game::Simulation& match, game::Senses* senses, Soaked& soaked)
 std::string begin_match(const Course& course, Soaked& soaked, std::optional<game::BotDuel>& duel,
                         std::unique_ptr<game::Senses>& senses) {
     duel.reset();
-    auto made =
-        game::make_bot_duel(course.assets, course.data, {course.level, course.level}, ++soaked.matches);
+    auto made = game::make_bot_duel(course.assets, course.data, {course.bot, course.bot}, ++soaked.matches);
     if (!made) return made.error().message;
     duel.emplace(std::move(*made));
     if (!course.senses) return {};
@@ -175,7 +166,7 @@ void add_row(const Course& course, std::int64_t threads, const Soaked& soaked, d
              Report& report) {
     report.rows.push_back({.area = "tick",
                            .name = "soak",
-                           .setting = {{"threads", threads}, {"level", std::int64_t{course.level}}},
+                           .setting = {{"threads", threads}, {"bot", course.bot}},
                            .metrics = {{"ticks", static_cast<double>(course.ticks)},
                                        {"matches", static_cast<double>(soaked.matches)},
                                        {"kills", static_cast<double>(soaked.kills)},
@@ -196,7 +187,9 @@ void soak(const Options& options, Report& report) {
     auto data = game::load_match_data(course.assets, {});
     if (!data) return report.faults.push_back(text("soak: ", data.error().message));
     course.data = std::make_shared<const game::MatchData>(std::move(*data));
-    course.level = best_level(course.assets);
+    const auto best = game::strongest_bot(course.assets);
+    if (!best) return report.faults.push_back(text("soak: ", best.error().message));
+    course.bot = *best;
 
     const auto senses = game::SenseData::load(course.assets, audio::WithSamples::no);
     if (!senses) return report.faults.push_back(text("soak: ", senses.error().message));

@@ -183,7 +183,8 @@ Finding input_to_picture(const std::filesystem::path& assets, const Expected<Dat
         return {what, State::note, "not measured without data files and display", ""};
     LiveReport report;
     LivePlan plan{.data = *data, .assets = assets, .probe = true, .report = &report};
-    plan.seats = {live::Seat{.kind = SeatKind::keyboard_mouse}, live::Seat{.kind = SeatKind::bot}};
+    plan.seats = {live::Seat{.kind = SeatKind::keyboard_mouse},
+                  live::Seat{.kind = SeatKind::bot, .bot = "1"}};
     for (const double duration : {3.0, 60.0}) {
         plan.seconds = duration;
         if (const auto played = run_live(plan); !played) {

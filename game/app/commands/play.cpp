@@ -7,7 +7,7 @@
 #include "game/app/command.h"
 #include "game/app/content.h"
 #include "game/app/offscreen_duel.h"
-#include "game/bots/bot.h"
+#include "game/bots/bot_file.h"
 #include "game/command_line/arguments.h"
 #include "game/live/live.h"
 #include "render/display.h"
@@ -16,7 +16,7 @@ namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view play_help =
-    R"(usage: thaum [play] [--vs | --solo LEVEL | --demo] [OPTIONS]
+    R"(usage: thaum [play] [--vs | --solo BOT | --demo] [OPTIONS]
 
 A duel in a window; without a display two bots play as with --headless.
 Every match is recorded; `thaum replay` plays it again.
@@ -24,30 +24,30 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
 
   --vs             two players: mouse and keyboard against a pad, or against the
                    keypad if there is no pad
-  --solo LEVEL     against a bot of level 0 (for a first round) to 3
+  --solo BOT       against a bot: a file in assets/bots, or a level, from 0 (easiest) on
   --demo           two bots, one match after another, until Q leaves
   --hands A[,B]    the players' devices: mouse, half (the keypad), pad, or arm: a force
                    feedback arm and the mouse (second arm: pad or keypad). arm:0,arm:1:
                    arms by number in `thaum doctor`. Arms also go with the start screen
-  --bots A,B       levels of the bots of --demo and --headless (1,1)
+  --bots A,B       bots of --demo and --headless, by name or level (1,1)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
                    each first to 5, 6 min; a tied round counts for nobody
   --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12
+  --mutator NAME   low_gravity, fog, or another file in assets/mutators; may be repeated
   --arena NAME     boiling_court (default), the_well, or another file in assets/arenas
-  --seed N         seed of all random numbers
-  --record FILE    file for the log; default: a new file in the data folder
+  --seed N         seed of all random numbers;  --record FILE  the log (a new file)
   --headless       no window: two bots, faster than real time
   --seconds S      ends after S s of match time; headless: 60; no display: a round
   --out DIR        folder for the files of --headless: duel.png, duel.thaumlog, duel.txt;
                    older ones are replaced (out)
 )";
 
-constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},         {"--hands", 1},
-                                   {"--bots", 1},      {"--rules", 1}, {"--match", 1},     {"--arena", 1},
-                                   {"--set", 1, true}, {"--seed", 1},  output("--record"), {"--headless"},
-                                   {"--seconds", 1},   {"--out", 1}};
+constexpr Option play_options[] = {
+    {"--vs"},       {"--solo", 1},      {"--demo"},     {"--hands", 1},     {"--bots", 1},
+    {"--rules", 1}, {"--match", 1},     {"--arena", 1}, {"--set", 1, true}, {"--mutator", 1, true},
+    {"--seed", 1},  output("--record"), {"--headless"}, {"--seconds", 1},   {"--out", 1}};
 
 /// Checked options of the command line.
 struct PlayOptions {
@@ -56,34 +56,38 @@ struct PlayOptions {
     std::optional<double> seconds;
     std::filesystem::path record, out = "out";
     bool headless = false, demo = false, vs = false;
-    bool match_named = false,
+    bool match_named = false, mutators_named = false,
          /// true if an option names the arena; otherwise the last choice on the start screen is used
         arena_named = false;
-    std::optional<int> solo;  ///< level of the bot (--solo); std::nullopt without --solo
+    std::optional<std::string> solo;  ///< name of the bot (--solo); std::nullopt without --solo
     std::vector<live::Seat> hands;
-    std::array<int, players> bots{1, 1};
+    std::array<std::string, players> bots{"1", "1"};  ///< by name or level
 
     bool mode() const { return demo || vs || solo.has_value(); }
 };
 
-/// Parses the levels of two bots, such as "2,3".
-Expected<std::array<int, players>> read_bots(std::string_view words) {
-    const auto comma = words.find(',');
-    if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");
-    const auto first = parse_whole(words.substr(0, comma), "--bots", easiest_bot, hardest_bot);
-    if (!first) return first.error();
-    const auto second = parse_whole(words.substr(comma + 1), "--bots", easiest_bot, hardest_bot);
-    if (!second) return second.error();
-    return std::array{static_cast<int>(*first), static_cast<int>(*second)};
+/// Names of the bots of `words`, such as "2,3" or "level_2,level_3".
+Expected<std::array<std::string, players>> read_bots(std::string_view words) {
+    const auto parts = parts_of(words);
+    if (parts.size() != players) return fail("--bots needs two bots, such as 2,3");
+    std::array<std::string, players> names;
+    for (std::size_t i = 0; i < players; ++i) {
+        auto name = bot_named(find_assets(), parts[i]);
+        if (!name) return fail(text("--bots: ", name.error().message));
+        names[i] = std::move(*name);
+    }
+    return names;
 }
 
 /// Reads who plays: two people, one against a bot, or two bots.
 Expected<void> read_mode(const Arguments& arguments, PlayOptions& options) {
     options.headless = arguments.has("--headless");
     options.demo = arguments.has("--demo");
-    const auto level = arguments.whole("--solo", easiest_bot, hardest_bot, 1);
-    if (!level) return level.error();
-    if (arguments.has("--solo")) options.solo = static_cast<int>(*level);
+    if (const auto word = arguments.value("--solo")) {
+        const auto name = bot_named(find_assets(), *word);
+        if (!name) return fail(text("--solo: ", name.error().message));
+        options.solo = *name;
+    }
     options.vs = arguments.has("--vs");
     const int ways = (options.vs ? 1 : 0) + (options.demo ? 1 : 0) + (options.solo ? 1 : 0);
     if (ways > 1) return fail("--vs, --solo and --demo exclude each other");
@@ -114,11 +118,12 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     PlayOptions options;
     if (const auto mode = read_mode(*arguments, options); !mode) return mode.error();
     if (const auto hands = read_hands(*arguments, options); !hands) return hands.error();
-    const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));
-    if (!bots) return bots.error();
-    options.bots = *bots;
-    if (arguments->has("--bots") && !options.demo && !options.headless)
-        return fail("--bots is for --demo and --headless");
+    if (const auto words = arguments->value("--bots")) {
+        if (!options.demo && !options.headless) return fail("--bots is for --demo and --headless");
+        const auto bots = read_bots(*words);
+        if (!bots) return bots.error();
+        options.bots = *bots;
+    }
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
     if (!seed) return seed.error();
     options.seed = *seed;
@@ -131,6 +136,8 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     options.match_named = arguments->has("--match");
     options.arena_named = arguments->has("--arena");
     options.data.overrides = arguments->values("--set");
+    options.data.mutators = arguments->values("--mutator");
+    options.mutators_named = arguments->has("--mutator");
     options.record = arguments->value("--record").value_or("");
     options.out = arguments->value("--out").value_or(options.out.string());
     return options;
@@ -142,34 +149,39 @@ int play_off_screen(const PlayOptions& options) {
     constexpr double longest_round = 600;  // longest simulated time of one round (s)
     constexpr std::uint64_t seed_with_winner = 5;
     const bool any = !options.headless && !options.mode();
+    auto bots = options.bots;
+    // Without any bot that can be read, the duel tells why.
+    if (const auto best = strongest_bot(find_assets()); any && best) bots.fill(*best);
     return play_offscreen_duel({.assets = find_assets(),
                                 .out = options.out,
                                 .log = options.record,
                                 .data = options.data,
                                 .seed = options.seed.value_or(any ? seed_with_winner : 1),
-                                .levels = any ? std::array{3, 3} : options.bots,
+                                .bots = bots,
                                 .seconds = options.seconds.value_or(options.headless ? 60 : longest_round)});
 }
 
 std::array<live::Seat, 2> seats_of(const PlayOptions& options) {
     if (options.demo)
-        return {live::Seat{.kind = SeatKind::bot, .level = options.bots[0]},
-                live::Seat{.kind = SeatKind::bot, .level = options.bots[1]}};
+        return {live::Seat{.kind = SeatKind::bot, .bot = options.bots[0]},
+                live::Seat{.kind = SeatKind::bot, .bot = options.bots[1]}};
     const auto hand = [&](std::size_t i, SeatKind otherwise) {
         return i < options.hands.size() ? options.hands[i] : live::Seat{.kind = otherwise};
     };
     const auto first = hand(0, SeatKind::keyboard_mouse);
-    if (options.solo) return {first, live::Seat{.kind = SeatKind::bot, .level = *options.solo}};
+    if (options.solo) return {first, live::Seat{.kind = SeatKind::bot, .bot = *options.solo}};
     return {first, hand(1, SeatKind::pad_or_half)};
 }
 
-/// Data for the start screen: its last choice, unless an option names a match or an arena. If that choice can
+/// Data for the start screen: its last choice, unless options name a match, an arena or mutators. If that
+/// choice can
 /// no longer be loaded, the default is used.
 Expected<MatchData> load_last_choice(const std::filesystem::path& assets, const PlayOptions& options,
                                      const LastChoice& last) {
     auto choice = options.data;
     if (!options.match_named) choice.match = last.match;
     if (!options.arena_named) choice.arena = last.arena;
+    if (!options.mutators_named) choice.mutators = last.mutators;
     auto data = load_match_data(assets, choice);
     return data ? std::move(data) : load_match_data(assets, options.data);
 }

@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/content.h"
+#include "game/bots/bot_file.h"
 #include "game/command_line/arguments.h"
 #include "game/live/live.h"
 #include "game/range/range.h"
@@ -31,23 +32,25 @@ file is reported, and its old numbers stay. The pause (Esc) can change the dummy
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --arena NAME     boiling_court (default), the_well, or another file in assets/arenas
   --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12
+  --mutator NAME   a file in assets/mutators; may be repeated
   --seed N         seed of all random numbers
   --headless       no window: a bot practises, faster than real time, and the
                    score is printed; files are read once
-  --bot LEVEL      level of that bot, 0 to 3 (3)
+  --bot BOT        that bot, by name or level (the strongest)
   --seconds S      ends after S seconds of match time; headless: 60
 )";
 
-constexpr Option range_options[] = {{"--apprentice"}, {"--dummy", 1},     {"--hands", 1}, {"--rules", 1},
-                                    {"--arena", 1},   {"--set", 1, true}, {"--seed", 1},  {"--headless"},
-                                    {"--bot", 1},     {"--seconds", 1}};
+constexpr Option range_options[] = {{"--apprentice"},       {"--dummy", 1},  {"--hands", 1},
+                                    {"--rules", 1},         {"--arena", 1},  {"--set", 1, true},
+                                    {"--mutator", 1, true}, {"--seed", 1},   {"--headless"},
+                                    {"--bot", 1},           {"--seconds", 1}};
 
 struct RangeOptions {
     DataChoice data;
     DummyKind dummy{};
     live::Seat hand{.kind = SeatKind::keyboard_mouse};
     bool headless = false, apprentice = false;
-    int bot = 3;
+    std::string bot;  ///< name of the bot that practises (--headless)
     std::optional<std::uint64_t> seed;
     std::optional<double> seconds;
 };
@@ -77,9 +80,12 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
         return fail("--apprentice has its own dummy and arena: no --dummy, --arena or --headless");
     if (options.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
     if (!options.headless && arguments->has("--bot")) return fail("--bot is for --headless");
-    const auto bot = arguments->whole("--bot", easiest_bot, hardest_bot, 3);
-    if (!bot) return bot.error();
-    options.bot = static_cast<int>(*bot);
+    if (options.headless) {
+        const auto word = arguments->value("--bot");
+        const auto bot = word ? bot_named(find_assets(), *word) : strongest_bot(find_assets());
+        if (!bot) return fail(text("--bot: ", bot.error().message));
+        options.bot = *bot;
+    }
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
     if (!seed) return seed.error();
     options.seed = *seed;
@@ -89,6 +95,7 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
     options.data.rules = arguments->value("--rules").value_or(options.data.rules);
     options.data.arena = arguments->value("--arena").value_or(options.data.arena);
     options.data.overrides = arguments->values("--set");
+    options.data.mutators = arguments->values("--mutator");
     return options;
 }
 
@@ -108,7 +115,7 @@ int practise_off_screen(const RangeOptions& options, const RangeData& data) {
         scorer.score(*range.match);
     }
     std::printf("range: %s\n", words_of(scorer.score(*range.match)).c_str());
-    std::printf("bot of level %d on the %s dummy, %s s; nothing is recorded\n", options.bot,
+    std::printf("bot %s on the %s dummy, %s s; nothing is recorded\n", options.bot.c_str(),
                 std::string(dummy_names[static_cast<std::size_t>(options.dummy)]).c_str(),
                 fixed(seconds(end), 1).c_str());
     std::printf("state %s\n", hex(range.match->state_hash()).c_str());

@@ -1,6 +1,5 @@
-// thaum league: matches between bots of all levels. The results show whether a higher level plays better and
-// whether matches have the wanted length. A match depends only on its data and seed, so any process may play
-// it.
+// thaum league: matches between all bots. The results show whether a higher level plays better and whether
+// matches have the wanted length. A match depends only on its data and seed, so any process may play it.
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +13,7 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/app/command.h"
+#include "game/bots/bot_file.h"
 #include "game/bots/league.h"
 #include "game/command_line/arguments.h"
 
@@ -23,18 +23,19 @@ namespace {
 constexpr std::string_view league_help =
     R"(usage: thaum league [OPTIONS]
 
-Plays matches between every two levels; each seed twice, with the sides swapped.
-A single level plays against itself, each seed once.
+Plays matches between every two bots; each seed twice, with the sides swapped.
+A single bot plays against itself, each seed once.
 
-  --levels A,B,..  levels of the bots (1,2,3)
-  --matches N      matches of each two levels (20)
-  --rules NAME, --match NAME, --arena NAME, --set KEY=VALUE   as in `thaum play`
+  --bots A,B,..    bots, by name or level, the weakest first (all of assets/bots)
+  --matches N      matches of each two bots (20)
+  --rules NAME, --match NAME, --arena NAME, --set KEY=VALUE,
+  --mutator NAME   as in `thaum play`
   --seed N         seed of the first match (1);  --jobs N  processes (one a core)
   --table balance  in place of who wins: how often pot, spells, orb and crystal are
                    used, which kills are magic, and how long they take
   --json FILE      all of it as JSON, replacing an older one; - for stdout
-  --check          exit code 1 unless each level wins 60 to 85 % against the next
-                   lower one and the median round takes 100 to 240 s
+  --check          exit code 1 unless each bot wins 60 to 85 % against the one
+                   before it and the median round takes 100 to 240 s
 
 The same options give the same table with any number of processes. A draw is half a win
 for each; dry: alive without energy for a shot; own: a death that is nobody's kill.
@@ -43,12 +44,13 @@ while it acts. A kill is magic if at least half of the last 30 HP was lost by ma
 under it: a potion or the Lens of the killer, 6 s after a spell, 2 s after a push.
 )";
 
-constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
-                                     {"--arena", 1},  {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
-                                     {"--table", 1},  output("--json"),   {"--check"}};
+constexpr Option league_options[] = {{"--bots", 1},          {"--matches", 1}, {"--rules", 1},
+                                     {"--match", 1},         {"--arena", 1},   {"--set", 1, true},
+                                     {"--mutator", 1, true}, {"--seed", 1},    {"--jobs", 1},
+                                     {"--table", 1},         output("--json"), {"--check"}};
 
 struct Plan {
-    std::vector<int> levels{1, 2, 3};
+    std::vector<std::string> bots;  // names, the weakest first
     std::uint64_t matches = 20, seed = 1, jobs = 1;
     DataChoice choice{};
     std::string json;
@@ -56,20 +58,26 @@ struct Plan {
     bool balance = false;  // the text is the table of the balance
 };
 
-Expected<std::vector<int>> read_levels(std::string_view words) {
-    std::vector<int> levels;
-    while (true) {
-        const auto comma = words.find(',');
-        const auto level = parse_whole(words.substr(0, comma), "--levels", easiest_bot, hardest_bot);
-        if (!level) return level.error();
-        levels.push_back(static_cast<int>(*level));
-        if (comma == std::string_view::npos) break;
-        words.remove_prefix(comma + 1);
+/// Names of the league's bots. Each is loaded once, so that a fault is reported here and not in a child
+/// process.
+Expected<std::vector<std::string>> read_bots(const std::optional<std::string>& words) {
+    const auto assets = find_assets();
+    std::vector<std::string> chosen;
+    if (words) {
+        chosen = parts_of(*words);
+    } else {
+        for (const auto& bot : list_bots(assets)) chosen.push_back(bot.name);
     }
-    std::sort(levels.begin(), levels.end());
-    const bool twice = std::adjacent_find(levels.begin(), levels.end()) != levels.end();
-    if (twice) return fail("--levels needs different levels, such as 1,2,3, or a single one");
-    return levels;
+    std::vector<std::string> names;
+    for (const auto& word : chosen) {
+        const auto bot = load_bot(assets, word);
+        if (!bot) return bot.error();
+        if (std::ranges::find(names, bot->name) != names.end())
+            return fail(text("--bots names ", bot->name, " twice; it needs different bots, or a single one"));
+        names.push_back(bot->name);
+    }
+    if (names.empty()) return fail(text(shown_path(assets, "bots"), ": the folder has no bot, NAME.toml"));
+    return names;
 }
 
 Expected<Plan> read_plan(const std::vector<std::string>& words) {
@@ -77,9 +85,9 @@ Expected<Plan> read_plan(const std::vector<std::string>& words) {
     if (!arguments) return arguments.error();
     if (!arguments->plain().empty()) return fail(text("league takes no '", arguments->plain()[0], "'"));
     Plan plan;
-    const auto levels = read_levels(arguments->value("--levels").value_or("1,2,3"));
-    if (!levels) return levels.error();
-    plan.levels = *levels;
+    auto bots = read_bots(arguments->value("--bots"));
+    if (!bots) return bots.error();
+    plan.bots = std::move(*bots);
     const auto matches = arguments->whole("--matches", 1, 100'000, plan.matches);
     if (!matches) return matches.error();
     plan.matches = *matches;
@@ -93,6 +101,7 @@ Expected<Plan> read_plan(const std::vector<std::string>& words) {
     plan.choice.match = arguments->value("--match").value_or(plan.choice.match);
     plan.choice.arena = arguments->value("--arena").value_or(plan.choice.arena);
     plan.choice.overrides = arguments->values("--set");
+    plan.choice.mutators = arguments->values("--mutator");
     const auto table = arguments->value("--table");
     if (table && *table != "balance") return fail(text("--table is balance, not '", *table, "'"));
     plan.balance = table.has_value();
@@ -104,21 +113,21 @@ Expected<Plan> read_plan(const std::vector<std::string>& words) {
 // Playing ---------------------------------------------------------------------------------------------------
 
 struct Fixture {
-    std::array<int, players> levels{};
+    std::array<std::int32_t, players> bots{};  ///< places in Plan::bots
     std::uint64_t seed{};
 };
 
 std::vector<Fixture> fixtures_of(const Plan& plan) {
     std::vector<Fixture> fixtures;
-    if (plan.levels.size() == 1) {
-        for (std::uint64_t i = 0; i < plan.matches; ++i)
-            fixtures.push_back({{plan.levels[0], plan.levels[0]}, plan.seed + i});
+    const auto count = static_cast<std::int32_t>(plan.bots.size());
+    if (count == 1) {
+        for (std::uint64_t i = 0; i < plan.matches; ++i) fixtures.push_back({{0, 0}, plan.seed + i});
     }
-    for (std::size_t low = 0; low < plan.levels.size(); ++low) {
-        for (std::size_t high = low + 1; high < plan.levels.size(); ++high) {
+    for (std::int32_t low = 0; low < count; ++low) {
+        for (std::int32_t high = low + 1; high < count; ++high) {
             for (std::uint64_t i = 0; i < plan.matches; ++i) {
-                Fixture f{{plan.levels[low], plan.levels[high]}, plan.seed + i / 2};
-                if (i % 2 == 1) std::swap(f.levels[0], f.levels[1]);
+                Fixture f{{low, high}, plan.seed + i / 2};
+                if (i % 2 == 1) std::swap(f.bots[0], f.bots[1]);
                 fixtures.push_back(f);
             }
         }
@@ -153,7 +162,7 @@ using Data = std::shared_ptr<const MatchData>;
                        std::size_t job, int to) {
     const auto assets = find_assets();
     for (std::size_t i = job; i < fixtures.size(); i += plan.jobs) {
-        const auto match = play_league_match(assets, data, fixtures[i].levels, fixtures[i].seed);
+        const auto match = play_league_match(assets, data, plan.bots, fixtures[i].bots, fixtures[i].seed);
         if (!match || !write_all(to, *match)) ::_exit(does_not_hold);
     }
     ::_exit(done);
@@ -270,14 +279,19 @@ std::string balance_table(const Plan& plan, const LeagueSummary& s) {
     return lines;
 }
 
+const std::string& bot_of(const Plan& plan, std::int32_t bot) {
+    return plan.bots[static_cast<std::size_t>(bot)];
+}
+
 std::string table(const Plan& plan, const LeagueSummary& s) {
     std::string lines = headline(plan);
     for (const auto& p : s.pairs) {
-        lines += text("level ", p.high, " against ", p.low, "   won ", p.high_wins, ", lost ", p.low_wins,
-                      ", drew ", p.matches - p.high_wins - p.low_wins, ": ", percent(p.high_share()), "\n");
+        lines += text(bot_of(plan, p.high), " against ", bot_of(plan, p.low), "   won ", p.high_wins,
+                      ", lost ", p.low_wins, ", drew ", p.matches - p.high_wins - p.low_wins, ": ",
+                      percent(p.high_share()), "\n");
     }
-    for (const auto& l : s.levels) {
-        lines += text("level ", l.level, "   ", l.kills, " kills, ", l.deaths, " deaths, ",
+    for (const auto& l : s.bots) {
+        lines += text(bot_of(plan, l.bot), "   ", l.kills, " kills, ", l.deaths, " deaths, ",
                       percent(ratio(l.falls, l.deaths)), " of them falls, ", percent(ratio(l.hits, l.shots)),
                       " of ", l.shots, " shots hit, dry for ",
                       percent(ratio(seconds(l.dry), seconds(l.alive))), " of its life\n");
@@ -285,18 +299,15 @@ std::string table(const Plan& plan, const LeagueSummary& s) {
     return lines + seats_and_rounds(s) + kill_shares(s);
 }
 
-Json json_of(const LeaguePair& p) {
-    return {{"low", p.low},
-            {"high", p.high},
-            {"matches", p.matches},
-            {"low_wins", p.low_wins},
-            {"high_wins", p.high_wins},
-            {"draws", p.matches - p.low_wins - p.high_wins},
+Json json_of(const Plan& plan, const LeaguePair& p) {
+    return {{"low", bot_of(plan, p.low)},  {"high", bot_of(plan, p.high)},
+            {"matches", p.matches},        {"low_wins", p.low_wins},
+            {"high_wins", p.high_wins},    {"draws", p.matches - p.low_wins - p.high_wins},
             {"high_share", p.high_share()}};
 }
 
-Json json_of(const LeagueLevel& l) {
-    return {{"level", l.level},
+Json json_of(const Plan& plan, const LeagueBot& l) {
+    return {{"bot", bot_of(plan, l.bot)},
             {"shots", l.shots},
             {"hits", l.hits},
             {"kills", l.kills},
@@ -321,9 +332,9 @@ Json json_of(const BalanceSums& sums, const LeagueSummary& s) {
 }
 
 Json json_of(const Plan& plan, const LeagueSummary& s) {
-    auto pairs = Json::array(), levels = Json::array();
-    for (const auto& p : s.pairs) pairs.push_back(json_of(p));
-    for (const auto& l : s.levels) levels.push_back(json_of(l));
+    auto pairs = Json::array(), bots = Json::array();
+    for (const auto& p : s.pairs) pairs.push_back(json_of(plan, p));
+    for (const auto& l : s.bots) bots.push_back(json_of(plan, l));
     auto kills = Json::object();
     for (std::size_t cause = 0; cause < causes().size(); ++cause)
         if (!causes()[cause].empty()) kills.set(causes()[cause], s.kills[cause]);
@@ -334,7 +345,7 @@ Json json_of(const Plan& plan, const LeagueSummary& s) {
               {"arena", plan.choice.arena},
               {"seed", plan.seed}}},
             {"pairs", pairs},
-            {"levels", levels},
+            {"bots", bots},
             {"seats", {{"player_1_wins", s.seat_wins[0]}, {"player_2_wins", s.seat_wins[1]}}},
             {"rounds",
              {{"count", s.round_s.size()},
@@ -350,11 +361,9 @@ Json json_of(const Plan& plan, const LeagueSummary& s) {
 std::string complaint(const Plan& plan, const LeagueSummary& s) {
     std::string words;
     for (const auto& p : s.pairs) {
-        const auto low = std::find(plan.levels.begin(), plan.levels.end(), p.low);
-        const bool neighbours = low + 1 != plan.levels.end() && *(low + 1) == p.high;
-        if (neighbours && (p.high_share() < 0.6 || p.high_share() > 0.85))
-            words += text("level ", p.high, " wins ", percent(p.high_share()), " against ", p.low,
-                          ", not 60 to 85 %; ");
+        if (p.high == p.low + 1 && (p.high_share() < 0.6 || p.high_share() > 0.85))
+            words += text(bot_of(plan, p.high), " wins ", percent(p.high_share()), " against ",
+                          bot_of(plan, p.low), ", not 60 to 85 %; ");
     }
     const double median = s.median_round_s();
     if (median < 100 || median > 240)
@@ -368,10 +377,6 @@ int run_league(const std::vector<std::string>& words) {
     if (!plan) return refuse(plan.error());
     auto loaded = load_match_data(find_assets(), plan->choice);
     if (!loaded) return refuse(loaded.error());
-    // Loads the levels' skills once, so that a missing level is reported here and not in a child process.
-    for (const int level : plan->levels) {
-        if (const auto skill = load_bot_skill(find_assets(), level); !skill) return refuse(skill.error());
-    }
     const bool to_file = !plan->json.empty() && plan->json != "-";
     if (const auto free = to_file ? check_output(plan->json) : Expected<void>(); !free)
         return refuse(free.error());

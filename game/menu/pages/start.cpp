@@ -1,4 +1,6 @@
 // Menu page: the start screen, where players take seats, choose a match and begin it.
+#include <algorithm>
+
 #include "core/text.h"
 #include "game/menu/page.h"
 
@@ -9,15 +11,17 @@ using input::DeviceKind;
 
 // Seats and the match ---------------------------------------------------------------------------------------
 
-/// Fault of a file that was chosen for the match; empty: all chosen files can be played.
-std::string fault_of_choice(const MenuState& s, const MenuContext& context) {
-    const auto& rules = context.rules[s.rules].fault;
-    return rules.empty() ? context.arenas[s.arena].fault : rules;
+/// Fault of a file that was chosen for the match; empty: all chosen files can be played. The practice range
+/// has no bot.
+std::string fault_of_choice(const MenuState& s, const MenuContext& context, MenuRequest request) {
+    for (const auto* chosen : {&context.rules[s.rules], &context.arenas[s.arena]})
+        if (!chosen->fault.empty()) return chosen->fault;
+    return request == MenuRequest::start && joined(s) < players ? context.bots[s.bot].fault : std::string();
 }
 
 /// Requests a match, unless a file that was chosen for it is broken.
 void start(MenuState& s, MenuRequest request, const MenuContext& context) {
-    s.note = fault_of_choice(s, context);
+    s.note = fault_of_choice(s, context, request);
     if (s.note.empty()) s.request = request;
 }
 
@@ -60,7 +64,9 @@ MenuRow choice_row(std::string label, const std::string& help, const std::vector
                    std::size_t chosen) {
     const auto& one = list[chosen];
     return {.label = std::move(label),
-            .help = one.fault.empty() ? help : one.fault,
+            .help = !one.fault.empty()   ? one.fault
+                    : !one.words.empty() ? one.words
+                                         : help,
             .value = one.label,
             .longest_value = longest_label(list),
             .adjustable = true,
@@ -70,10 +76,11 @@ MenuRow choice_row(std::string label, const std::string& help, const std::vector
 // The functions below choose among data files. A choice is kept in the settings for the next start of the
 // program, unless its file is broken.
 
-void turn_level(const RowPress& press, int way) {
+void turn_bot(const RowPress& press, int way) {
     auto& s = press.state;
-    turn(s.level, press.context.levels, way);
-    s.settings.last.bot_level = press.context.levels[s.level];
+    turn(s.bot, press.context.bots, way);
+    const auto& chosen = press.context.bots[s.bot];
+    if (chosen.fault.empty()) s.settings.last.bot = chosen.name;
 }
 
 void turn_rules(const RowPress& press, int way) {
@@ -90,16 +97,21 @@ void turn_arena(const RowPress& press, int way) {
     if (chosen.fault.empty()) s.settings.last.arena = chosen.name;
 }
 
+/// A row that opens the page of mutators, and says which are on.
+Row mutators_row(const MenuState& s, const MenuContext& context) {
+    std::string on;
+    for (const auto& one : context.mutators)
+        if (std::ranges::find(s.mutators, one.name) != s.mutators.end())
+            on += text(on.empty() ? "" : ", ", one.label);
+    return link_to("mutators", text("Mutators: ", on.empty() ? "none" : on),
+                   "Changes the rules of the next duel: each is on or off.");
+}
+
 void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
-    rows.push_back(
-        {.look = {.label = "Bot",
-                  .help = context.level_fault.empty()
-                              ? "Sets how well the bot plays, which takes a seat that nobody joins."
-                              : context.level_fault,
-                  .value = text("level ", context.levels[s.level]),
-                  .adjustable = context.levels.size() > 1,
-                  .dim = joined(s) == players},
-         .turn = turn_level});
+    auto bot = choice_row("Bot", "Sets who plays if nobody joins.", context.bots, s.bot);
+    bot.adjustable = context.bots.size() > 1;
+    bot.dim = bot.dim || joined(s) == players;
+    rows.push_back({.look = std::move(bot), .turn = turn_bot});
     if (context.rules.size() > 1)
         rows.push_back({.look = choice_row("Match", "Sets how many kills win, and how long a round lasts.",
                                            context.rules, s.rules),
@@ -109,6 +121,7 @@ void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows)
             {.look = choice_row("Arena", "Sets the place of the duel, which is shown behind this menu.",
                                 context.arenas, s.arena),
              .turn = turn_arena});
+    if (!context.mutators.empty()) rows.push_back(mutators_row(s, context));
 }
 
 // Rows ------------------------------------------------------------------------------------------------------

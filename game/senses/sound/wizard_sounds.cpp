@@ -69,7 +69,9 @@ void add_held(SoundWriting& writing, const WizardNow& wizard, const WandSoundNum
     if (held && !memory.holds) begin(writing, sounds.take, {.place = *held});
     memory.holds = held.has_value();
     if (!held) return;
-    const double load = std::min(1.0, wizard.wand->rules->holding_force(world, wizard.entity) / loud_hold_n);
+    const double gravity = writing.match.data().wizard.gravity;
+    const double force = wizard.wand->rules->holding_force(world, wizard.entity, gravity);
+    const double load = std::min(1.0, force / loud_hold_n);
     last(writing, sounds.hold, lasting::hold + wizard.player,
          {.place = *held, .gain = 0.25 + 0.75 * load, .pitch = 1.3 - 0.6 * load});
 }

@@ -1,0 +1,35 @@
+#include "game/data/rule_files.h"
+
+#include "core/config.h"
+#include "core/file.h"
+#include "core/text.h"
+#include "game/data/file_names.h"
+
+namespace thaum::game::inline data {
+namespace {
+
+/// Whether a file of assets/rules is about the length of a match. One that cannot be read counts as such, so
+/// that the menu shows its fault.
+bool is_match_length(const std::filesystem::path& assets, const std::string& name) {
+    const auto source = read_text_file(assets / text("rules/", name, ".toml"), max_data_file);
+    const auto file = source ? Config::parse(*source, name, 1) : Expected<Config>(source.error());
+    return !file || file->root().has("kills") || file->root().has("seconds");
+}
+
+std::vector<std::string> rule_files(const std::filesystem::path& assets, bool lengths) {
+    auto names = stems_in(assets / "rules");
+    std::erase_if(names, [&](const auto& name) {
+        return !plain_name(name) || is_match_length(assets, name) != lengths;
+    });
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> rule_sets(const std::filesystem::path& assets) { return rule_files(assets, false); }
+
+std::vector<std::string> match_lengths(const std::filesystem::path& assets) {
+    return rule_files(assets, true);
+}
+
+}  // namespace thaum::game::inline data
