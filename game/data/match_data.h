@@ -55,7 +55,9 @@ struct MatchData {
     /// Gestures of assets/gestures. Empty if the rule set has no spells.
     std::shared_ptr<const GestureSet> gestures;
     std::optional<CastingRules> casting;
-    std::vector<LoadedSpell> spells;                   ///< spells, sorted by the name of the kind
+    std::vector<LoadedSpell> spells;  ///< spells, sorted by the name of the kind
+    /// The effects of all lists: of potions, spells, power-ups, the orb and crystals, by their numbers.
+    std::vector<ListedEffect> effects;
     std::shared_ptr<const Presentation> presentation;  ///< how the match is shown; never null after loading
     /// All files that affect a match, each with the hash of its values before overrides.
     std::vector<input::DataFile> files;

@@ -14,6 +14,7 @@ LoadedSpell read_spell(const SpellKind& kind, const Config& file) {
     spell.stats.focus = root.number("focus", {0, 1e6});
     spell.stats.shown = root.table("look").string("shown");
     spell.rules = kind.read(root);
+    spell.effects = read_effects(root);
     return spell;
 }
 

@@ -118,7 +118,7 @@ public:
         to.schedule.add(
             {.name = "hail",
              .period = physics_period,
-             .reads = world.mask<Wizard, Motion, Dead, resource::Physics>(),
+             .reads = world.mask<Wizard, Effects, Motion, Dead, resource::Physics>(),
              .writes = world.mask<Hail, Health, EventLog, resource::Journal>(),
              .needs = world.mask<Hail>(),
              .run = [&context = to.context, this](ecs::World&, Tick tick) { fly(context, data_, tick); }});
