@@ -109,7 +109,7 @@ void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) 
 void note_half_work(const MatchData& reading, std::vector<MissingName>& notes) {
     if (std::ranges::any_of(reading.arena.things, is_crystal)) return;
     for (const auto& recipe : reading.recipes)
-        if (recipe.gift.work_half && can_brew(reading, recipe))
+        if (has_kind(recipe.effects, "work_half") && can_brew(reading, recipe))
             notes.push_back(
                 {.file = file_of(reading),
                  .table = "",

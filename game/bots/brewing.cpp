@@ -134,7 +134,7 @@ std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& r
         // A recipe with a random order belongs to the Great Work (to win a round by holding two rare things).
         // These bots do not try it.
         const auto& recipe = data.recipes[i];
-        const bool acts = match.world().get<Potions>(wizard).until.at(i) != 0;
+        const bool acts = end_of(recipe.effects, match.world().get<Effects>(wizard)) != 0;
         const bool fits = pouch == nullptr || recipe.ingredients.front().ingredient == pouch->ingredient;
         if (recipe.drawn || acts || !fits) continue;
         ++count;

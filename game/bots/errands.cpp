@@ -1,7 +1,6 @@
 #include "game/bots/errands.h"
 
 #include <algorithm>
-#include <cmath>
 
 // The worth of a power-up to a bot is the bot's need for health or energy that it gives, divided by the time
 // to get there. While the bot sees the foe and can shoot, the worth is multiplied by `in_a_fight`. So during
@@ -33,10 +32,12 @@ double need(double have, double below) {
 double worth(const BotTurn& turn, PowerUpKind kind) {
     const auto& self = turn.self;
     const auto& skill = turn.seat.skill;
-    const auto& gives = turn.match.data().rules.power_ups[static_cast<std::size_t>(kind)];
-    const double health = gives.health > 0 ? need(self.health, skill.vial_below) : 0;
-    const double energy = gives.energy_share > 0 ? need(self.energy_share, skill.spark_below) : 0;
-    return health * std::sqrt(gives.health / 25) + energy * gives.energy_share * 2;
+    const BotNeeds needs{.health = need(self.health, skill.vial_below),
+                         .energy = need(self.energy_share, skill.spark_below)};
+    double worth = 0;
+    for (const auto& one : turn.match.data().rules.power_ups[static_cast<std::size_t>(kind)].effects)
+        worth += one.rules->worth(needs);
+    return worth;
 }
 
 struct Choice {

@@ -8,6 +8,7 @@
 #include "game/components/hand_state.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
+#include "game/context/effects.h"
 #include "game/data/reading.h"
 #include "game/stations/cauldron/potions.h"
 
@@ -89,6 +90,9 @@ void cast(MatchContext& context, const Caster& caster, const LoadedSpell& spell,
     const double strength = harsh ? rules.harsh_strength : 1;
     tell(EventKind::cast, strength);
     spell.rules->cast({context, caster.wizard, caster.tick, strength});
+    const vec3 place = std::as_const(context.world).get<Motion>(caster.wizard).position;
+    begin_effects(context, caster.wizard, spell.effects,
+                  {.tick = caster.tick, .place = place, .strength = strength});
 }
 
 }  // namespace
@@ -221,6 +225,7 @@ CastingAccess access_of_casting(const MatchContext& context) {
     for (const auto& spell : context.data.spells) {
         access.reads |= spell.rules->reads(world);
         access.writes |= spell.rules->writes(world);
+        access.writes |= effect_writes(world, spell.effects);
     }
     return access;
 }

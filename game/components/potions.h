@@ -1,5 +1,5 @@
-// game/components/potions.h: what the potions of the cauldron do to the wizards who drank them. A match
-// without a cauldron has none of these components.
+// game/components/potions.h: what wizards hold and know of the potions of the cauldron. A match without a
+// cauldron has none of these components.
 #pragma once
 #include <array>
 
@@ -13,16 +13,11 @@ inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
 inline constexpr std::size_t max_potions = 8;
 inline constexpr std::size_t max_recipe_ingredients = 3;
 
-/// Potions that act on a wizard. Health holds the state of the potions that harden or poison. WandBelt holds
-/// that of the potion that poisons the next lob (a missile thrown in an arc).
-struct Potions {
-    /// Time at which each potion stops acting, by its number (ticks of play)
-    std::array<Tick, max_potions> until{};
-    /// 1: the wizard holds Azoth, one of two things that win a round if held together (the Great Work).
-    std::uint32_t work_half{};
+/// One of the two things that win a round if held together (the Great Work); the other one is the Lens.
+struct WorkHalf {
+    std::uint32_t held{};  ///< 1: the wizard holds it, until death
     std::uint32_t spare{};
-    THAUM_COMPONENT(Potions, until, work_half, spare);
-    bool operator==(const Potions&) const = default;
+    THAUM_COMPONENT(WorkHalf, held, spare);
 };
 
 /// Order in which each player must add the ingredients of recipes whose order is random. It is drawn from the

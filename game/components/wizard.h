@@ -65,15 +65,12 @@ struct Health {
     double surge{1};           ///< factor on the harm that the other player does to the wizard now
     double ward{};             ///< harm that the wizard's shield can still absorb (HP)
     Tick ward_until{};         ///< tick of play at which the Shield spell ends
-    double harm_share{1};      ///< share of each harm that the wizard takes after a hardening potion, until
-                               ///< `hardened_until`
-    Tick hardened_until{};
-    double poison{};  ///< harm by poison for each second, until `poisoned_until` (HP/s)
+    double poison{};           ///< harm by poison for each second, until `poisoned_until` (HP/s)
     Tick poisoned_until{};
     std::uint32_t poisoned_by{};  ///< player who poisoned the wizard
     std::uint32_t spare{};
-    THAUM_COMPONENT(Health, points, shielded_until, hurt_at, hurt_by, hurt_how, foe_did_at, surge, ward, ward_until,
-                    harm_share, hardened_until, poison, poisoned_until, poisoned_by, spare);
+    THAUM_COMPONENT(Health, points, shielded_until, hurt_at, hurt_by, hurt_how, foe_did_at, surge, ward,
+                    ward_until, poison, poisoned_until, poisoned_by, spare);
 };
 
 /// State of a dead wizard.

@@ -40,8 +40,8 @@ void declare_magic(ecs::World& world) {
     declare_all<Cauldron, BrewSamples, SurfaceSamples, Ladle, Niche, Pouch, Focus, DrawnStroke, LastReading,
                 LastProp, Fog>(world);
     for (const auto& kind : spell_kinds()) kind.declare(world);
-    declare_all<Potions, DrawnOrders>(world);
-    for (const auto& kind : potion_effect_kinds())
+    declare_all<Effects, WorkHalf, DrawnOrders>(world);
+    for (const auto& kind : effect_kinds())
         if (kind.declare != nullptr) kind.declare(world);
 }
 
@@ -114,8 +114,9 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& harm
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
     if (harm.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
     const bool by_foe = harm.by < players && harm.by != player;
-    const double left = harm.points * (by_foe ? health.surge : 1) *
-                        (tick < health.hardened_until ? health.harm_share : 1);
+    const auto* effects = std::as_const(world).find<Effects>(wizard);
+    const double left =
+        harm.points * (by_foe ? health.surge : 1) * factors_of(context.data.effects, effects, tick).harm;
     const double held = tick < health.ward_until && !harm.pierces ? std::min(health.ward, left) : 0;
     health.ward -= held;
     if (held > 0) {

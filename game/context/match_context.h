@@ -116,8 +116,8 @@ struct Hurt {
 };
 
 /// Takes health and records the event. Does nothing to a dead wizard, nor to one who is protected after a
-/// return to life; the Shield spell absorbs a part. Writes Health, EventLog and resource::Journal, reads
-/// Wizard and Dead.
+/// return to life; effects change how much, and the Shield spell absorbs a part. Writes Health, EventLog and
+/// resource::Journal, reads Wizard, Effects and Dead.
 void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& harm);
 
 }  // namespace thaum::game::inline context

@@ -70,8 +70,8 @@ struct Burst {
     double venom{};          ///< harm by poison to each wizard whom the burst hurts (HP/s); 0: none
     Tick venom_lasts{};      ///< duration of the poison (ticks)
 };
-/// Applies a burst to all bodies near it and records the event. Reads Body, Motion, Wizard, Dead and Crystal.
-/// Writes Health, Stance, EventLog, Prop, resource::Journal and resource::Physics.
+/// Applies a burst to all bodies near it and records the event. Reads Body, Motion, Wizard, Effects, Dead and
+/// Crystal. Writes Health, Stance, EventLog, Prop, resource::Journal and resource::Physics.
 void burst(MatchContext& context, const Burst& burst, Tick tick);
 
 }  // namespace thaum::game::inline context

@@ -43,7 +43,7 @@ BrewWords brew_words_of(const MatchData& data) {
     if (data.cauldron)
         for (const auto& ingredient : data.cauldron->ingredients)
             words.ingredients.push_back(ingredient.name);
-    for (const auto& recipe : data.recipes) words.potions.push_back({recipe.name, recipe.effect});
+    for (const auto& recipe : data.recipes) words.potions.push_back({recipe.name, recipe.words});
     return words;
 }
 

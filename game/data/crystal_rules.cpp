@@ -49,6 +49,7 @@ CrystalRules read_crystal_rules(const Config& file) {
             .against_key = root.number("against_key", {0, 1}),
             .turning = glm::radians(root.number("turn_deg_per_s", {0, 720})),
             .overlap = root.number("overlap", {0.01, 1}),
+            .effects = read_effects(root),
             .hand = read_hand(root.table("hand")),
             .surface = {.strength = surface.number("strength_n", {0, 100}),
                         .depth = surface.number("depth_voxels", {0.1, 20}),

@@ -7,6 +7,7 @@
 #include "core/config.h"
 #include "core/units.h"
 #include "field/carving_tools.h"
+#include "game/data/effect.h"
 
 namespace thaum::game::inline data {
 
@@ -36,8 +37,9 @@ struct CrystalRules {
     /// carved, 0 to 1.
     double against_key{};
     double turning{};  ///< speed at which a carver turns the crystal (rad/s)
-    /// Overlap with the key (the shape to be carved) at which the wizard gains the reward, the Lens; 0 to 1
+    /// Overlap with the key (the shape to be carved) at which the wizard gains the reward; 0 to 1
     double overlap{};
+    EffectList effects;  ///< the reward: what happens to the wizard who has carved the key
     CarvingHandRules hand{};
     CrystalSurfaceRules surface{};
     field::Tool chip{};         ///< tool that melts a ball of the crystal at the point of a hit

@@ -415,6 +415,7 @@ MatchReading read_match_data(const std::filesystem::path& assets, const DataChoi
     load_spells(data, loader);
     if (data.gestures && loader.is_sound("cauldron.toml") && data.cauldron) load_recipes(data, loader);
     loader.check_overrides();
+    if (const auto numbered = number_effects(data); !numbered) loader.refuse(numbered.error());
     reading.error = std::move(loader.error);
     if (reading.error) return reading;
     name_brew(data);

@@ -63,6 +63,8 @@ struct MatchData {
     std::optional<CastingRules> casting;
     /// Spells, in the same order as wands. A spell's number is its index here.
     std::vector<LoadedSpell> spells;
+    /// The effects of all lists: of potions, spells, power-ups, the orb and crystals, by their numbers.
+    std::vector<ListedEffect> effects;
     std::shared_ptr<const Presentation> presentation;  ///< how the match is shown; never null after loading
     /// Values that replaced those of data files, by mutators and by the choice's overrides, in order.
     std::vector<std::string> overrides{};

@@ -60,7 +60,7 @@ OrbRules read_orb_rules(const Config& file) {
                    .reach = probe.number("reach_m", {0, 10}),
                    .core_share = core.number("near", {0.001, 0.5}),
                    .hold = ticks(core.number("hold_s", {0.01, 60})),
-                   .healing = core.number("health", {0, 1e4}),
+                   .effects = read_effects(root),
                    .focus = probe.number("focus_per_s", {0, 1e4}),
                    .stiffness = probe.number("stiffness_n_per_m", {1, 1e4}),
                    .most = curve.number("most_n", {0.01, 1000}),

@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "field/filters.h"
 #include "field/transfer.h"
+#include "game/data/effect.h"
 
 namespace thaum::game::inline data {
 
@@ -36,8 +37,8 @@ struct OrbRules {
     double core_share{};
     /// time for which the probe must stay near the hidden core until the orb gives its reward (ticks)
     Tick hold{};
-    double healing{};  ///< health that a wizard gains who has found the core (HP)
-    double focus{};    ///< focus (what spells cost) that a wizard spends while searching the orb (1/s)
+    EffectList effects;  ///< what happens to a wizard who has found the core
+    double focus{};      ///< focus (what spells cost) that a wizard spends while searching the orb (1/s)
     /// Stiffness of the spring between the device's tip and the proxy, the point that follows the mode's
     /// rules (N/m, at the device)
     double stiffness{};

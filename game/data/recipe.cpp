@@ -52,13 +52,6 @@ ChangedBrew read_changed_brew(const ConfigTable& table) {
             .lasts = ticks(table.number("lasts_s", {0, 3600}))};
 }
 
-PotionGift read_gift(const ConfigTable& table) {
-    return {.lasts = ticks(table.number("lasts_s", {0, 3600})),
-            .pace = table.number("pace", {0.1, 10}, 1),
-            .gravity = table.number("gravity", {0, 2}, 1),
-            .work_half = table.boolean("half_of_great_work", false)};
-}
-
 void check_lengths(const ConfigTable& root, const Recipe& recipe) {
     if (recipe.ingredients.empty() || recipe.ingredients.size() > max_recipe_ingredients)
         root.report("ingredient", text("there must be 1 to ", max_recipe_ingredients, " ingredients"));
@@ -86,15 +79,14 @@ Recipe read_recipe(const Config& file, std::string name, const RecipeNames& name
     const auto root = file.root();
     const auto look = root.table("look");
     Recipe recipe{.name = std::move(name),
-                  .effect = look.string("effect"),
+                  .words = look.string("effect"),
                   .drawn = root.boolean("drawn_order", false),
                   .more_time = ticks(root.number("more_time_s", {0, 3600}, 0)),
                   .ingredients = {},
                   .strokes = {},
                   .fluid = read_changed_brew(root.table("fluid")),
-                  .gift = read_gift(root.table("wizard")),
-                  .effects = read_potion_effects(root.table("wizard"))};
-    if (recipe.effect.empty()) look.report("effect", "effect must say in a few words what the potion does");
+                  .effects = read_effects(root)};
+    if (recipe.words.empty()) look.report("effect", "effect must say in a few words what the potion does");
     recipe.fluid.colour = read_linear_colour(look, "colour");
     for (const auto& table : root.tables("ingredient"))
         recipe.ingredients.push_back(read_ingredient(table, names));

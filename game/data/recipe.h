@@ -14,7 +14,7 @@
 #include "core/units.h"
 #include "game/components/ingredient.h"
 #include "game/data/cauldron_rules.h"
-#include "game/data/potion_effect.h"
+#include "game/data/effect.h"
 
 namespace thaum::game::inline data {
 
@@ -52,27 +52,16 @@ struct ChangedBrew {
     vec3 colour{};  ///< colour as linear light, 0 to 1; for pictures only
 };
 
-/// Changes that a potion makes to the wizard who brewed it, besides its effects (data/potion_effect.h).
-struct PotionGift {
-    Tick lasts{};
-    double pace{1};     ///< factor on the walking speed
-    double gravity{1};  ///< share of the wizard's weight that is left
-    /// True: the potion is half of the Great Work (two things that win a round if held together). The wizard
-    /// holds it until death.
-    bool work_half = false;
-};
-
 struct Recipe {
     std::string name;    ///< name of the file and of the potion
-    std::string effect;  ///< effect of the potion, in words for its wizard
+    std::string words;   ///< what the potion does, in words for its wizard
     bool drawn = false;  ///< true: the order of the ingredients is drawn for each player (DrawnOrders)
     /// Time by which each right ingredient after the first delays the spoiling of the brew (ticks)
     Tick more_time{};
     std::vector<RecipeIngredient> ingredients;
     std::vector<RecipeStroke> strokes;
     ChangedBrew fluid;
-    PotionGift gift;
-    std::vector<std::shared_ptr<const PotionEffect>> effects;
+    EffectList effects;  ///< what the potion does to the wizard who brewed it
 };
 
 /// The gesture that comes after `done` strokes; null if all strokes are done.

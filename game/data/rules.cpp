@@ -58,8 +58,7 @@ RuleSet read_rule_set(const Config& file) {
     rules.surges = root.boolean("surges", true);
     for (std::size_t kind = 0; kind < power_up_names.size(); ++kind) {
         const auto table = root.table(power_up_names[kind]);
-        rules.power_ups[kind] = {.health = table.number("health", {0, 1e6}),
-                                 .energy_share = table.number("energy_share", {0, 1}),
+        rules.power_ups[kind] = {.effects = read_effects(table),
                                  .again = ticks(table.number("again_s", {0, 3600})),
                                  .radius = table.number("radius_m", {0.1, 5})};
     }

@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "game/components/match.h"
 #include "game/components/power_up.h"
+#include "game/data/effect.h"
 #include "physics/mover.h"
 
 namespace thaum::game::inline data {
@@ -44,10 +45,9 @@ double surge_at(const RoundRules& rules, Tick age);
 Tick round_ends_at(const RoundRules& rules, const Match& match);
 
 struct PowerUpRules {
-    double health{};        ///< health that a power-up gives (HP)
-    double energy_share{};  ///< energy that a power-up gives, as a share of the emptiest wand's cap
-    Tick again{};           ///< ticks after it was picked up until the power-up is available again
-    double radius{};        ///< radius within which the power-up is picked up (m, on the ground)
+    EffectList effects;  ///< what the power-up does to the wizard who picks it up
+    Tick again{};        ///< ticks after it was picked up until the power-up is available again
+    double radius{};     ///< radius within which the power-up is picked up (m, on the ground)
 };
 
 /// Parts of the game that a rule set switches on or off, from assets/rules/thaum.toml or classic.toml.

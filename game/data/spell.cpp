@@ -14,6 +14,7 @@ LoadedSpell read_spell(std::string name, std::uint32_t number, const Config& fil
     spell.stats.focus = root.number("focus", {0, 1e6});
     spell.stats.shown = root.table("look").string("shown");
     spell.rules = spell.kind->read(root, number);
+    spell.effects = read_effects(root);
     return spell;
 }
 

@@ -7,6 +7,7 @@
 //     slot = 1              # wand key that casts it without a stroke, while Trace is held
 //     gesture = "circle"    # name of a file of assets/gestures
 //     focus = 25            # focus of a gentle cast
+//     [[effect]]            # what it does to its caster, if anything (data/effect.h)
 //     [event]               # changes no match
 //     sound = ""            # name of a sound of assets/sounds, heard when the spell is cast
 //     tactile = ""          # name of an effect on the caster's body (assets/tactile/effects)
@@ -24,6 +25,7 @@
 #include "core/registry.h"
 #include "ecs/schedule.h"
 #include "game/components/wizard.h"
+#include "game/data/effect.h"
 #include "game/data/registration.h"
 
 namespace thaum::game::inline context {
@@ -79,11 +81,12 @@ public:
     /// Returns why the spell would do nothing now, in words for the wizard ("the thing is too far away"); an
     /// empty text if the spell can be cast. The text must stay valid as long as the rules.
     virtual std::string_view refusal(const MatchContext&, ecs::Entity) const { return {}; }
-    /// Casts the spell. The caller has already taken the focus that the spell costs.
-    virtual void cast(const SpellCast& cast) const = 0;
+    /// Does what the spell does besides its effects on the caster. The caller has already taken the focus
+    /// that the spell costs, and begins the effects afterwards.
+    virtual void cast(const SpellCast&) const {}
     /// Components and resources that `cast` writes, and that `refusal` and `cast` read.
-    virtual ecs::Mask writes(const ecs::World& world) const = 0;
-    virtual ecs::Mask reads(const ecs::World& world) const = 0;
+    virtual ecs::Mask writes(const ecs::World&) const { return {}; }
+    virtual ecs::Mask reads(const ecs::World&) const { return {}; }
     /// Value of the spell to a bot now, 0 to 1; 0: useless.
     virtual double worth(const SpellOccasion&) const { return 0; }
     /// Whether the spell brings a thing to its wizard's hand, so that a bot prepares to catch it.
@@ -114,6 +117,7 @@ struct LoadedSpell {
     const SpellKind* kind{};
     SpellStats stats{};
     std::shared_ptr<const SpellRules> rules{};
+    EffectList effects;  ///< what the spell does to its caster, besides SpellRules::cast
 };
 
 /// Reads the spell of this name and number. If its kind is unknown, reports that and returns a spell without

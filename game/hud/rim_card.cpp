@@ -165,8 +165,8 @@ RimCard rim_card_of(const Picture& picture, const HudSettings& settings, std::ui
 std::string words_of_potions(const PlayerPicture& p) {
     std::string words;
     const auto add = [&](const std::string& more) { words += text(words.empty() ? "" : "   ", more); };
-    for (std::uint32_t i = 0; i < p.vitals.potions; ++i)
-        add(text(capitalised(p.vitals.potion_names.at(i)), " ", whole_seconds(p.vitals.potion_left_s.at(i))));
+    for (std::uint32_t i = 0; i < p.vitals.givers; ++i)
+        add(text(capitalised(p.vitals.giver_names.at(i)), " ", whole_seconds(p.vitals.giver_left_s.at(i))));
     if (p.stations.work_half && p.stations.work.lens)
         add("both halves of the Great Work");
     else if (p.stations.work_half)

@@ -64,8 +64,8 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
     for (const auto& wand : context.data.wands) writes |= wand.rules->writes(world);
     schedule.add({.name = "wands",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, AtStation, Arm, Fog, Lens,
-                                      resource::Physics>(),
+                  .reads = world.mask<Wizard, Effects, Controls, Gaze, Motion, Body, Dead, AtStation, Arm,
+                                      Fog, Lens, resource::Physics>(),
                   .writes = writes,
                   .needs = world.mask<WandBelt>(),
                   .run = [&context](ecs::World& w, Tick tick) {

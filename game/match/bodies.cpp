@@ -134,15 +134,16 @@ void add_body_systems(MatchContext& context, ecs::Schedule& schedule) {
                   .writes = world.mask<resource::Physics>(),
                   .needs = world.mask<Body>(),
                   .run = [&context](ecs::World&, Tick) { context.physics.write().step(physics_dt); }});
-    schedule.add({.name = "blows",
-                  .period = physics_period,
-                  .reads = world.mask<Wizard, Prop, Motion, Look, Dead, Crystal, resource::Physics>(),
-                  .writes = world.mask<Blows, Health, EventLog, resource::Journal>(),
-                  .needs = world.mask<Blows, Prop>(),
-                  .run = [&context](ecs::World&, Tick tick) {
-                      collect_blows(context, tick);
-                      if (tick % gameplay_period == 0) count_blows(context, tick);
-                  }});
+    schedule.add(
+        {.name = "blows",
+         .period = physics_period,
+         .reads = world.mask<Wizard, Effects, Prop, Motion, Look, Dead, Crystal, resource::Physics>(),
+         .writes = world.mask<Blows, Health, EventLog, resource::Journal>(),
+         .needs = world.mask<Blows, Prop>(),
+         .run = [&context](ecs::World&, Tick tick) {
+             collect_blows(context, tick);
+             if (tick % gameplay_period == 0) count_blows(context, tick);
+         }});
     schedule.add({.name = "places",
                   .period = physics_period,
                   .reads = world.mask<Body, resource::Physics>(),

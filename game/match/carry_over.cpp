@@ -52,11 +52,34 @@ void refit(MatchContext& context, ecs::Entity wizard, const WizardRules& before)
     if (had_body) world.add(wizard, body);
 }
 
+/// Number of earlier effects of the same giver and kind in the list.
+std::ptrdiff_t place_among_like(const std::vector<ListedEffect>& all, const ListedEffect& one) {
+    return std::count_if(all.begin(), all.begin() + one.number, [&](const ListedEffect& other) {
+        return other.giver == one.giver && other.kind == one.kind;
+    });
+}
+
+/// The effects that act on a wizard, by the numbers that they have in the new data. Those that are no longer
+/// listed end.
+Effects refit_effects(const MatchData& before, const MatchData& after, const Effects& effects) {
+    Effects refitted;
+    for (const auto& one : after.effects)
+        for (const auto& old : before.effects)
+            if (old.giver == one.giver && old.kind == one.kind &&
+                place_among_like(before.effects, old) == place_among_like(after.effects, one)) {
+                refitted.until[one.number] = effects.until[old.number];
+                refitted.strength[one.number] = effects.strength[old.number];
+            }
+    return refitted;
+}
+
 void refit_wizards(const MatchContext& from, MatchContext& to) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto wizard = wizard_of(to.world, player);
         auto& belt = to.world.get<WandBelt>(wizard);
         belt = carried_belt(from.data, to.data, belt);
+        auto& effects = to.world.get<Effects>(wizard);
+        effects = refit_effects(from.data, to.data, effects);
         if (auto* focus = to.world.find<Focus>(wizard); focus != nullptr && to.data.casting)
             focus->points = std::min(focus->points, to.data.casting->focus_cap);
         if (from.data.orb && to.data.orb)

@@ -41,14 +41,14 @@ void add_great_work_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "great work",
          .period = gameplay_period,
-         .reads = world.mask<Wizard, Motion, Potions, Lens, Dead>(),
+         .reads = world.mask<Wizard, Motion, WorkHalf, Lens, Dead>(),
          .writes = world.mask<GreatWork, EventLog, resource::Journal>(),
          .needs = world.mask<GreatWork>(),
          .run = [&context](ecs::World& w, Tick tick) {
-             w.view<const Wizard, const Motion, const Potions, const Lens, ecs::Maybe<const Dead>>().each(
-                 [&](const Wizard& wizard, const Motion& motion, const Potions& potions, const Lens& lens,
+             w.view<const Wizard, const Motion, const WorkHalf, const Lens, ecs::Maybe<const Dead>>().each(
+                 [&](const Wizard& wizard, const Motion& motion, const WorkHalf& half, const Lens& lens,
                      const Dead* dead) {
-                     const bool both = potions.work_half != 0 && lens.held != 0 && dead == nullptr;
+                     const bool both = half.held != 0 && lens.held != 0 && dead == nullptr;
                      follow(context, wizard.player, both, motion.position, tick);
                  });
          }});

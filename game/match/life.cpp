@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "game/components/casting.h"
+#include "game/context/effects.h"
 #include "game/data/wand_slots.h"
 #include "game/match/player/walk.h"
-#include "game/stations/cauldron/potions.h"
-#include "game/stations/crystal/chisel.h"
 
 namespace thaum::game::inline match {
 namespace {
@@ -55,8 +54,7 @@ void die(MatchContext& context, ecs::Entity e, const Wizard& wizard, const Healt
                      .by = killer,
                      .detail = health.hurt_how,
                      .place = motion.position});
-    lose_potions(context, e, tick);
-    lose_lens(context, e, tick);
+    lose_effects(context, e, tick);
     world.commands().add(e, Dead{tick + context.data.round.respawn});
     world.commands().remove<Body>(e);
 }
@@ -99,8 +97,8 @@ Pad farthest_pad(const ecs::World& world, vec3 from) {
 
 void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
-    auto writes = potion_writes(context);
-    writes |= world.mask<Health, Score, Lens, EventLog, resource::Journal>();
+    auto writes = effect_writes(world, context.data.effects);
+    writes |= world.mask<Health, Score>();
     schedule.add({.name = "deaths",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead, Match>(),

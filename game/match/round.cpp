@@ -43,7 +43,8 @@ void spawn_wizards(MatchContext& context) {
                                     Health{.points = rules.health, .hurt_by = no_player}, Blows{},
                                     full_belt(context.data), empty_hand_state(), Score{},
                                     Look{Surface::wizard}, standing_at(rules, pad.feet));
-        if (context.data.cauldron) world.add(e, Potions{});
+        world.add(e, Effects{});
+        if (context.data.cauldron) world.add(e, WorkHalf{});
         if (context.data.crystal) world.add(e, Lens{});
         for (const auto& wand : context.data.wands)
             if (is_first_of_kind(context.data, wand)) wand.rules->outfit(world, e);

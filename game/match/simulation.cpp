@@ -3,6 +3,7 @@
 #include "ecs/snapshot.h"
 #include "game/casting/casting.h"
 #include "game/casting/free_casting.h"
+#include "game/context/effects.h"
 #include "game/context/stations.h"
 #include "game/match/belt.h"
 #include "game/match/bodies.h"
@@ -58,7 +59,8 @@ void add_hand_systems(MatchContext& context, BrewResource& brew, CrystalResource
 void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     add_splash_system(context, brew, schedule);
     add_brewing_systems(context, brew, schedule);
-    add_potion_systems(context, schedule);
+    add_effect_systems(context, schedule);
+    add_drawn_orders_system(context, schedule);
     add_brew_systems(context, brew, schedule);
 }
 
@@ -104,7 +106,10 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_walk_system(context, live_);
     add_probe_system(context, live_);
     add_fighting_systems(context, crystals_, live_);
-    if (data_->cauldron) add_cauldron_systems(context, brew_, live_);
+    if (data_->cauldron)
+        add_cauldron_systems(context, brew_, live_);
+    else
+        add_effect_systems(context, live_);
     add_power_up_system(context, live_);
     add_life_systems(context, live_);
     add_great_work_system(context, live_);

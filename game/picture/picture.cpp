@@ -172,17 +172,21 @@ void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& mot
     out.stations.carried_shape = ingredient.shape;
 }
 
-void take_potions(const Simulation& match, ecs::Entity wizard, const Health& health, PlayerPicture& out) {
+void take_effects(const Simulation& match, ecs::Entity wizard, const Health& health, PlayerPicture& out) {
     const auto played = match.match().played;
     out.vitals.poisoned_s = played < health.poisoned_until ? seconds(health.poisoned_until - played) : 0;
-    const auto* potions = match.world().find<Potions>(wizard);
-    if (potions == nullptr || out.vitals.dead) return;
-    out.stations.work_half = potions->work_half != 0;
-    const auto& recipes = match.data().recipes;
-    for (std::size_t i = 0; i < recipes.size(); ++i) {
-        if (played >= potions->until.at(i)) continue;
-        out.vitals.potion_names.at(out.vitals.potions) = recipes[i].name;
-        out.vitals.potion_left_s.at(out.vitals.potions++) = seconds(potions->until.at(i) - played);
+    if (out.vitals.dead) return;
+    const auto* half = match.world().find<WorkHalf>(wizard);
+    out.stations.work_half = half != nullptr && half->held != 0;
+    const auto& effects = match.world().get<Effects>(wizard);
+    std::string_view giver;
+    for (const auto& one : match.data().effects) {
+        const auto until = effects.until.at(one.number);
+        if (played >= until) continue;
+        if (one.giver != giver && out.vitals.givers == out.vitals.giver_names.size()) return;
+        if (one.giver != giver) giver = out.vitals.giver_names.at(out.vitals.givers++) = one.giver;
+        auto& left = out.vitals.giver_left_s.at(out.vitals.givers - 1);
+        left = std::max(left, seconds(until - played));
     }
 }
 
@@ -218,7 +222,7 @@ void take_fogs(const Simulation& match, Picture& out) {
 void take_magic(const Simulation& match, ecs::Entity wizard, std::uint32_t player, const Motion& motion,
                 const Health& health, PlayerPicture& out) {
     take_brewing(match, wizard, motion, out);
-    take_potions(match, wizard, health, out);
+    take_effects(match, wizard, health, out);
     take_casting(match, wizard, player, out.casting);
     take_work(match, wizard, player, out.stations.work);
     if (out.vitals.dead) return;

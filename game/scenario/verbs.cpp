@@ -424,13 +424,13 @@ void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
 /// Pushes the potions that act on the player, each with the time left (s), and `work_half`. This tells
 /// whether the player holds Azoth, one half of the Great Work, which wins a round.
 void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
-    const auto& potions = part<Potions>(play, player);
+    const auto& effects = part<Effects>(play, player);
     const auto played = play.match->match().played;
     lua_newtable(lua);
-    for (std::size_t i = 0; i < play.data->recipes.size(); ++i)
-        if (played < potions.until.at(i))
-            arg::set_number(lua, play.data->recipes[i].name.c_str(), seconds(potions.until.at(i) - played));
-    arg::set_flag(lua, "work_half", potions.work_half != 0);
+    for (const auto& recipe : play.data->recipes)
+        if (const auto end = end_of(recipe.effects, effects); played < end)
+            arg::set_number(lua, recipe.name.c_str(), seconds(end - played));
+    arg::set_flag(lua, "work_half", part<WorkHalf>(play, player).held != 0);
 }
 
 /// Harm that the wizard's shield can still absorb (HP).

@@ -152,8 +152,8 @@ int verb_give(lua_State* lua, void* context) {
     auto& world = play.match->world_to_change();
     scene_is_set(play);
     if (what == "lens" && world_of(play).has<Lens>(wizard)) return world.get<Lens>(wizard).held = 1, 0;
-    if (what == "azoth" && world_of(play).has<Potions>(wizard))
-        return world.get<Potions>(wizard).work_half = 1, 0;
+    if (what == "azoth" && world_of(play).has<WorkHalf>(wizard))
+        return world.get<WorkHalf>(wizard).held = 1, 0;
     fault("give takes \"lens\" or \"azoth\", in a match that has it, not '", what, "'");
 }
 

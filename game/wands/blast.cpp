@@ -222,7 +222,7 @@ void add_missile_systems(const WandSystems& to, const BlastData& data, std::uint
     to.schedule.add(
         {.name = "blasts",
          .period = physics_period,
-         .reads = world.mask<Body, Motion, Wizard, Dead, Crystal>(),
+         .reads = world.mask<Body, Motion, Wizard, Effects, Dead, Crystal>(),
          .writes = world.mask<Blast, Health, Stance, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Blast>(),
          .run = [&context = to.context, &data, slot](ecs::World&, Tick tick) {

@@ -131,7 +131,7 @@ void add_missile_systems(const WandSystems& to, const BoltData& data, std::uint3
     to.schedule.add(
         {.name = "bolts",
          .period = physics_period,
-         .reads = world.mask<Wizard, Dead, Crystal>(),
+         .reads = world.mask<Wizard, Effects, Dead, Crystal>(),
          .writes = world.mask<Bolt, Health, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Bolt>(),
          .run = [&context = to.context, &data, slot](ecs::World&, Tick tick) {

@@ -251,7 +251,7 @@ void add_missile_systems(const WandSystems& to, const LobData& data, std::uint32
     to.schedule.add(
         {.name = "lobs",
          .period = physics_period,
-         .reads = world.mask<Body, Motion, Wizard, Dead, Crystal>(),
+         .reads = world.mask<Body, Motion, Wizard, Effects, Dead, Crystal>(),
          .writes = world.mask<Lob, Health, Stance, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Lob>(),
          .run = [&context = to.context, &data, slot](ecs::World& w, Tick tick) {

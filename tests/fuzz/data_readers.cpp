@@ -4,6 +4,7 @@
 #include "core/file.h"
 #include "fuzz/fuzz.h"
 #include "game/bots/duel.h"
+#include "game/context/effects.h"
 #include "game/range/apprentice.h"
 #include "game/range/range.h"
 #include "game/settings/settings.h"
@@ -18,7 +19,16 @@ std::string must_read(const std::filesystem::path& file) {
     return content ? std::move(*content) : std::string();
 }
 
-/// Plays a match in which both players walk, jump and shoot. A fault causes an assertion or a crash.
+/// Gives both wizards the effects of all potions.
+void drink_all(game::Simulation& match) {
+    auto& context = match.context_to_change();
+    for (std::uint32_t player = 0; player < game::players; ++player)
+        for (const auto& recipe : context.data.recipes)
+            game::begin_effects(context, game::wizard_of(match.world(), player), recipe.effects, {});
+}
+
+/// Plays a match in which both players walk, jump and shoot, under all potions. A fault causes an assertion
+/// or a crash.
 void play(game::MatchData data) {
     game::Simulation match(std::make_shared<const game::MatchData>(std::move(data)),
                            {1, {game::bot_device(0, "level_1"), game::bot_device(1, "level_1")}});
@@ -29,6 +39,7 @@ void play(game::MatchData data) {
         frame.devices[d].press(input::Button::fire);
         frame.devices[d].press(input::Button::jump);
     }
+    drink_all(match);
     for (Tick t = 0; t < played; ++t) match.tick(frame);
 }
 
@@ -60,9 +71,9 @@ Outcome read_match_file(const char* name, const std::string& input, const Places
 }
 
 constexpr const char *arena = "arenas/boiling_court.toml", *rules = "rules/quick.toml",
-                     *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml", *blast = "wands/blast.toml",
-                     *lob = "wands/lob.toml", *bot = "bots/level_1.toml", *range = "range.toml",
-                     *lessons = "apprentice.toml";
+                     *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml",
+                     *potion = "potions/ironhide.toml", *blast = "wands/blast.toml", *lob = "wands/lob.toml",
+                     *bot = "bots/level_1.toml", *range = "range.toml", *lessons = "apprentice.toml";
 
 template <const char* const& name>
 std::vector<std::string> shipped(const Places& places) {
@@ -148,6 +159,7 @@ const Reader wizard_reader{"wizard", shipped<wizard>, mutate_text, read_as<wizar
 const Reader wand_reader{"wand", shipped<wand>, mutate_text, read_as<wand>};
 const Reader blast_reader{"blast", shipped<blast>, mutate_text, read_as<blast>};
 const Reader lob_reader{"lob", shipped<lob>, mutate_text, read_as<lob>};
+const Reader potion_reader{"potion", shipped<potion>, mutate_text, read_as<potion>};
 const Reader bot_reader{"bot", shipped<bot>, mutate_text, read_bot};
 const Reader range_reader{"range", shipped<range>, mutate_text, read_range};
 const Reader lessons_reader{"lessons", shipped<lessons>, mutate_text, read_lessons};

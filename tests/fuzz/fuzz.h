@@ -37,8 +37,8 @@ struct Reader {
 /// All readers. Each source file of this folder defines some of them.
 std::span<const Reader> readers();
 extern const Reader log_reader, scenario_reader, settings_reader, arena_reader, rules_reader, wizard_reader,
-    wand_reader, blast_reader, lob_reader, bot_reader, range_reader, lessons_reader, device_reader,
-    lab_reader, volume_session_reader, sound_reader, layout_reader, effect_reader, tact_reader,
+    wand_reader, blast_reader, lob_reader, potion_reader, bot_reader, range_reader, lessons_reader,
+    device_reader, lab_reader, volume_session_reader, sound_reader, layout_reader, effect_reader, tact_reader,
     bhaptics_reader, jacket_reader, stroke_reader, gesture_reader, profile_reader, gzip_reader, nrrd_reader,
     nhdr_reader, raw_volume_reader, carving_tool_reader, materials_reader, voxels_reader;
 

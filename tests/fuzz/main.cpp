@@ -233,14 +233,38 @@ std::optional<RunPlan> read_wish(std::span<char*> words) {
 }  // namespace
 
 std::span<const Reader> readers() {
-    static const std::array list{
-        log_reader,    scenario_reader,   settings_reader,       arena_reader,        rules_reader,
-        wizard_reader, wand_reader,       blast_reader,          lob_reader,          bot_reader,
-        range_reader,  lessons_reader,    device_reader,         lab_reader,          sound_reader,
-        layout_reader, effect_reader,     tact_reader,           bhaptics_reader,     jacket_reader,
-        stroke_reader, gesture_reader,    gzip_reader,           profile_reader,      nrrd_reader,
-        nhdr_reader,   raw_volume_reader, volume_session_reader, carving_tool_reader, materials_reader,
-        voxels_reader};
+    static const std::array list{log_reader,
+                                 scenario_reader,
+                                 settings_reader,
+                                 arena_reader,
+                                 rules_reader,
+                                 wizard_reader,
+                                 wand_reader,
+                                 blast_reader,
+                                 lob_reader,
+                                 potion_reader,
+                                 bot_reader,
+                                 range_reader,
+                                 lessons_reader,
+                                 device_reader,
+                                 lab_reader,
+                                 sound_reader,
+                                 layout_reader,
+                                 effect_reader,
+                                 tact_reader,
+                                 bhaptics_reader,
+                                 jacket_reader,
+                                 stroke_reader,
+                                 gesture_reader,
+                                 gzip_reader,
+                                 profile_reader,
+                                 nrrd_reader,
+                                 nhdr_reader,
+                                 raw_volume_reader,
+                                 volume_session_reader,
+                                 carving_tool_reader,
+                                 materials_reader,
+                                 voxels_reader};
     return list;
 }
 

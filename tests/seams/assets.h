@@ -21,17 +21,18 @@ public:
     /// Puts a file into a folder of the assets, such as "potions".
     void add(const std::string& in, const std::string& file, std::string_view words) {
         const auto folder = path() / in;
-        std::filesystem::remove(folder);
-        std::filesystem::create_directory(folder);
-        for (const auto& entry : std::filesystem::directory_iterator(source() / in))
-            std::filesystem::create_symlink(entry.path(), folder / entry.path().filename());
+        if (std::filesystem::is_symlink(folder)) {
+            std::filesystem::remove(folder);
+            std::filesystem::create_directory(folder);
+            for (const auto& entry : std::filesystem::directory_iterator(source() / in))
+                std::filesystem::create_symlink(entry.path(), folder / entry.path().filename());
+        }
+        std::filesystem::remove(folder / file);  // else the file of the game would be written
         if (!write_text_file(folder / file, words)) std::abort();
     }
-    /// Appends words to a file of the assets.
-    void append(const std::string& file, std::string_view words) {
-        const auto before = read_text_file(source() / file, 1U << 20U).value();
-        std::filesystem::remove(path() / file);
-        if (!write_text_file(path() / file, text(before, words))) std::abort();
+    /// Appends words to a file in a folder of the assets, or in "." for their own folder.
+    void append(const std::string& in, const std::string& file, std::string_view words) {
+        add(in, file, text(read_text_file(source() / in / file, 1U << 20U).value(), words));
     }
 
 private:

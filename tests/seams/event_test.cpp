@@ -27,7 +27,7 @@ feed = "{whom} sneezed"
 
 const std::filesystem::path& with_rows() {
     static SeamAssets assets;
-    static const bool added = (assets.append("events.toml", rows), true);
+    static const bool added = (assets.append(".", "events.toml", rows), true);
     EXPECT_TRUE(added);
     return assets.path();
 }

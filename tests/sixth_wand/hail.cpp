@@ -121,7 +121,7 @@ public:
         const auto& world = to.context.world;
         to.schedule.add({.name = "hail",
                          .period = physics_period,
-                         .reads = world.mask<Wizard, Motion, Dead, resource::Physics>(),
+                         .reads = world.mask<Wizard, Effects, Motion, Dead, resource::Physics>(),
                          .writes = world.mask<Hail, Health, EventLog, resource::Journal>(),
                          .needs = world.mask<Hail>(),
                          .run = [&context = to.context, this](ecs::World&, Tick tick) {

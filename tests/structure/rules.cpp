@@ -30,7 +30,7 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"data", 2},                            // contents of data files, and texts made from them
     {"brew", 3},          {"context", 3},   // fluid of the cauldron; data that all systems share
     {"stations", 4},      {"wands", 4},     // cauldron, crystal and orb; wands
-    {"spells", 4},                          // spells
+    {"spells", 4},        {"effects", 4},   // spells; kinds of effect on wizards
     {"casting", 5},                         // strokes that are drawn and read
     {"match", 6},                           // players, hands, order of the systems, logs, results
     {"senses", 7},        {"bots", 7},      // what is heard and felt of a match; opponents

@@ -1,6 +1,6 @@
 #include "ecs/snapshot.h"
+#include "game/context/effects.h"
 #include "game/data/wand_slots.h"
-#include "game/match/power_ups.h"
 #include "game/match/result.h"
 #include "unit/game_duel.h"
 #include "unit/message_of.h"
@@ -192,10 +192,15 @@ TEST(Match, TheResultNamesTheWinnerIfTheNameIsKnown) {
 
 TEST(GameRules, AGiftIsLimitedByTheCap) {
     const auto data = duel_data();
+    Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
     const auto gift = [&](PowerUpKind kind, double health, double energy) {
-        auto belt = full_belt(*data);
+        const auto wizard = wizard_of(match.world(), 0);
+        auto& belt = match.world_to_change().get<WandBelt>(wizard);
+        belt = full_belt(*data);
         belt.energy[wand_of(*data, "bolt").stats.slot] = energy;
-        return gift_of(*data, kind, Health{.points = health}, belt).amount();
+        match.world_to_change().get<Health>(wizard).points = health;
+        const auto& effects = data->rules.power_ups[static_cast<std::size_t>(kind)].effects;
+        return gain_of(match.context_to_change(), wizard, effects, {});
     };
     EXPECT_EQ(gift(PowerUpKind::vial, 10, 0), 25);
     EXPECT_EQ(gift(PowerUpKind::vial, 100, 0), 25);

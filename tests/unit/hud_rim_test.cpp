@@ -70,9 +70,9 @@ Picture busy_at(RecipeStep step) {
     for (auto& p : picture.wizards) {
         p.stations.stirs = p.stations.at_rim = true;
         p.stations.recipe = recipe_at(step);
-        p.vitals.potion_names[0] = "haste";
-        p.vitals.potion_left_s[0] = 12.4;
-        p.vitals.potions = 1;
+        p.vitals.giver_names[0] = "haste";
+        p.vitals.giver_left_s[0] = 12.4;
+        p.vitals.givers = 1;
         auto& reading = p.casting.reading;
         reading = {.age_s = 0.5, .gesture = 0, .nearest = 0, .probability = 0.97, .force = 0.6, .turns = 1};
         p.senses.heard_lines = static_cast<std::uint32_t>(p.senses.heard.size());

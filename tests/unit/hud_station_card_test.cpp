@@ -27,9 +27,9 @@ HudSettings with_keys(HudSettings settings) {
 Picture busy() {
     auto picture = picture_of(*new_match());
     for (auto& p : picture.wizards) {
-        p.vitals.potion_names[0] = "haste";
-        p.vitals.potion_left_s[0] = 12.4;
-        p.vitals.potions = 1;
+        p.vitals.giver_names[0] = "haste";
+        p.vitals.giver_left_s[0] = 12.4;
+        p.vitals.givers = 1;
         p.casting.there = true;
         p.casting.focus = 72.3;
         p.casting.focus_cap = 100;

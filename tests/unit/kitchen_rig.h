@@ -37,7 +37,9 @@ public:
     ecs::World& world() { return match_->world_to_change(); }
     Cauldron& cauldron() { return world().single<Cauldron>(); }
     ecs::Entity wizard(std::uint32_t player) { return wizard_of(world(), player); }
-    const Potions& potions(std::uint32_t player) { return world().get<Potions>(wizard(player)); }
+    const Effects& effects(std::uint32_t player) { return world().get<Effects>(wizard(player)); }
+    /// Whether a wizard holds Azoth, the half of the Great Work that is brewed.
+    bool holds_half(std::uint32_t player) { return world().get<WorkHalf>(wizard(player)).held != 0; }
     Tick now() { return match_->match().played; }
 
     void place(std::uint32_t player, vec3 feet) {

@@ -32,7 +32,8 @@ TEST(OrbRules, TheFileHasTheSixModesOfTheDesign) {
                                                "surface"}));
     EXPECT_EQ(seance.rules().core_share, 0.06);
     EXPECT_EQ(seance.rules().hold, ticks(1.5));
-    EXPECT_EQ(seance.rules().healing, 25);
+    ASSERT_EQ(seance.rules().effects.size(), 1U);
+    EXPECT_EQ(seance.rules().effects[0].kind->name, "health");
     EXPECT_EQ(seance.rules().focus, 2);
 }
 

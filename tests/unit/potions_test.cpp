@@ -43,8 +43,9 @@ TEST(Potions, EachRecipeGivesItsPotion) {
         }
         EXPECT_EQ(kitchen.brewed(), brewing.name);
         EXPECT_EQ(kitchen.fault(), BrewFault::none) << brewing.name;
-        EXPECT_GT(kitchen.potions(0).until[kitchen.number_of(brewing.name)], kitchen.now()) << brewing.name;
-        EXPECT_EQ(kitchen.potions(1), Potions{}) << "the other wizard has drunk nothing";
+        const auto& recipe = kitchen.match().data().recipes[kitchen.number_of(brewing.name)];
+        EXPECT_GT(end_of(recipe.effects, kitchen.effects(0)), kitchen.now()) << brewing.name;
+        EXPECT_EQ(kitchen.effects(1), Effects{}) << "the other wizard has drunk nothing";
     }
 }
 
@@ -61,7 +62,7 @@ TEST(Potions, AzothNeedsItsOwnOrderOfEachPlayer) {
     EXPECT_EQ(kitchen.fault(), BrewFault::none);
     for (const auto& stroke : {drawn(circle, 0.5, -3), drawn(v, 2), drawn(star, 1)}) kitchen.draw(stroke);
     EXPECT_EQ(kitchen.brewed(), "azoth");
-    EXPECT_EQ(kitchen.potions(0).work_half, 1U);
+    EXPECT_TRUE(kitchen.holds_half(0));
     EXPECT_EQ(kitchen.count(EventKind::work_half), 1U);
 
     Kitchen other;
@@ -211,7 +212,7 @@ TEST(Potions, ThePotionEmptiesTheBrewAndChangesItForAWhile) {
     EXPECT_NEAR(kitchen.cauldron().density, 1, 1e-9) << "pure again";
     EXPECT_EQ(kitchen.count(EventKind::boiled_over), 0U) << "there is nothing left that could spoil";
     EXPECT_EQ(kitchen.count(EventKind::potion_over), 1U);
-    EXPECT_EQ(kitchen.potions(0), Potions{});
+    EXPECT_EQ(kitchen.effects(0), Effects{});
 }
 
 TEST(Potions, ThicknessTensionAndSwirlFollow) {
@@ -295,10 +296,11 @@ TEST(Potions, PoisonHurtsOnceASecond) {
 TEST(Potions, DeathTakesAllPotions) {
     Kitchen kitchen;
     brew_haste(kitchen);
-    kitchen.world().get<Potions>(kitchen.wizard(0)).work_half = 1;
+    kitchen.world().get<WorkHalf>(kitchen.wizard(0)).held = 1;
     kitchen.world().get<Health>(kitchen.wizard(0)).points = 0;
     kitchen.run(3 * gameplay_period);
-    EXPECT_EQ(kitchen.potions(0), Potions{});
+    EXPECT_EQ(kitchen.effects(0), Effects{});
+    EXPECT_FALSE(kitchen.holds_half(0));
     EXPECT_EQ(kitchen.count(EventKind::work_lost), 1U);
     EXPECT_EQ(kitchen.count(EventKind::potion_over), 0U);
 }
@@ -306,13 +308,14 @@ TEST(Potions, DeathTakesAllPotions) {
 TEST(Potions, DeathTakesAllPotionsAlsoFromAWizardWhoReturnsAtOnce) {
     Kitchen kitchen({"quick.respawn_s=0"});
     brew_haste(kitchen);
-    kitchen.world().get<Potions>(kitchen.wizard(0)).work_half = 1;
+    kitchen.world().get<WorkHalf>(kitchen.wizard(0)).held = 1;
     kitchen.world().get<WandBelt>(kitchen.wizard(0)).venom = 4;
     kitchen.world().get<Health>(kitchen.wizard(0)).points = 0;
     kitchen.run(3 * gameplay_period);
     EXPECT_FALSE(kitchen.world().has<Dead>(kitchen.wizard(0)));
     EXPECT_EQ(kitchen.count(EventKind::death), 1U);
-    EXPECT_EQ(kitchen.potions(0), Potions{});
+    EXPECT_EQ(kitchen.effects(0), Effects{});
+    EXPECT_FALSE(kitchen.holds_half(0));
     EXPECT_EQ(kitchen.world().get<WandBelt>(kitchen.wizard(0)).venom, 0);
     EXPECT_EQ(kitchen.count(EventKind::work_lost), 1U);
 }
@@ -350,7 +353,7 @@ TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
         std::ofstream(copy / "potions" / "brine.toml")
             << "version = 1\n[[ingredient]]\nname = \"salt\"\nleast = 0.1\nmost = 1\n[[stroke]]\ngesture = "
                "\"s\"\n"
-               "[fluid]\nlasts_s = 1\n[wizard]\nlasts_s = 1\n[look]\ncolour = [1, 1, 1]\neffect = \""
+               "[fluid]\nlasts_s = 1\n[look]\ncolour = [1, 1, 1]\neffect = \""
             << effect << "\"\n"
             << more;
         return message_of(load_match_data(copy, {}), "accepted");
@@ -382,8 +385,8 @@ TEST(Potions, ALogNamesThem) {
     const auto file = std::find_if(data->files.begin(), data->files.end(),
                                    [](const auto& one) { return one.name == "potions/haste.toml"; });
     EXPECT_NE(file, data->files.end()) << "a changed recipe must be noticed by a replay";
-    const auto changed = duel_data({"haste.wizard.pace=2"});
-    EXPECT_EQ(changed->recipes[2].gift.pace, 2);
+    const auto changed = duel_data({"haste.effect[0].factor=2"});
+    EXPECT_EQ(changed->recipes[2].effects[0].rules->factors(1).pace, 2);
 }
 
 }  // namespace

@@ -246,7 +246,7 @@ TEST(TactileScene, TheHeartBeatsWhileTheFoeHoldsTheGreatWork) {
         EXPECT_TRUE(rig.frame().is_silent());
         auto& world = rig.match.world_to_change();
         const auto wizard = wizard_of(rig.match.world(), holder);
-        world.get<Potions>(wizard).work_half = 1;
+        world.get<WorkHalf>(wizard).held = 1;
         world.get<Lens>(wizard).held = 1;
         bool felt = false;
         for (int i = 0; i < 125; ++i) {

@@ -4,7 +4,6 @@
 
 #include "game/components/crystal.h"
 #include "game/stations/cauldron/brewing.h"
-#include "game/stations/cauldron/potions.h"
 
 namespace thaum::game::inline match {
 namespace {
@@ -51,15 +50,15 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "walk",
          .period = physics_period,
-         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron, Potions, Chisel>(),
+         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron, Effects, Chisel>(),
          .writes = world.mask<Controls, Stance, Health, EventLog, resource::Journal, resource::Physics>(),
          .needs = world.mask<Wizard>(),
          .run = [&context](ecs::World& w, Tick tick) {
              const auto& rules = context.data.wizard;
-             w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Maybe<const Potions>,
+             w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Maybe<const Effects>,
                     ecs::Maybe<const Chisel>, ecs::Without<Dead>>()
                  .each([&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
-                           const Motion& motion, const Body&, const Potions* potions, const Chisel* chisel) {
+                           const Motion& motion, const Body&, const Effects* effects, const Chisel* chisel) {
                      const auto strafe = strafe_of(controls, chisel);
                      const auto jump = input::bit(input::Button::jump);
                      const bool wishes =
@@ -67,7 +66,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                      // The body is at rest and no motion is requested, so the mover has nothing to do.
                      if (motion.asleep != 0 && !wishes) return;
                      const double pace = pace_at(context.data, std::as_const(w), motion.position) *
-                                         pace_of(context.data, potions, tick);
+                                         factors_of(context.data.effects, effects, tick).pace;
                      const auto abilities = abilities_of(rules, stance, pace, tick);
                      const auto result = physics::move(
                          context.physics.write(), e.index,

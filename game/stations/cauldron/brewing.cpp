@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "game/context/effects.h"
 #include "game/context/hand_forces.h"
 #include "game/stations/cauldron/ladle.h"
 #include "game/stations/cauldron/potions.h"
@@ -262,21 +263,19 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 // ---- aura -------------------------------------------------------------------------------------------------
 
-/// Reduces the weight of wizards near a light brew (one of low density), and of those whom a potion makes
+/// Reduces the weight of wizards near a light brew (one of low density), and of those whom an effect makes
 /// light.
 void lift_all(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     const auto& aura = context.data.cauldron->aura;
     const bool light = is_light(aura, cauldron);
     std::as_const(context.world)
-        .view<const Wizard, const Motion, const Body, const Potions, ecs::Without<Dead>>()
+        .view<const Wizard, const Motion, const Body, const Effects, ecs::Without<Dead>>()
         .each([&](ecs::Entity e, const Wizard&, const Motion& motion, const Body& body,
-                  const Potions& potions) {
+                  const Effects& effects) {
             const bool lifted = light && near(context.data, cauldron, motion.position);
-            const double left = weight_of(context.data, &potions, tick) * (lifted ? aura.light_gravity : 1);
-            if (left == 1) return;
-            auto& physics = context.physics.write();
-            physics.apply_central_impulse(e.index,
-                                          -(1 - left) * body.mass * physics_dt * physics.settings().gravity);
+            const double left =
+                factors_of(context.data.effects, &effects, tick).gravity * (lifted ? aura.light_gravity : 1);
+            leave_weight(context, e, body, left);
         });
 }
 
@@ -357,8 +356,8 @@ void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedul
                   }});
     schedule.add({.name = "brewing",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewSamples, Ladle, DrawnOrders,
-                                      resource::Brew, resource::Models>(),
+                  .reads = world.mask<Wizard, Effects, Controls, Motion, Body, Dead, BrewSamples, Ladle,
+                                      DrawnOrders, resource::Brew, resource::Models>(),
                   .writes = world.mask<Cauldron, Pouch, WandBelt, Health, EventLog, HandState,
                                        resource::Journal, resource::Physics>(),
                   .needs = world.mask<BrewSamples>(),
@@ -373,7 +372,7 @@ void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedul
                       change_brew(context.data, cauldron, tick);
                   }});
     schedule.add({.name = "light brew",
-                  .reads = world.mask<Cauldron, Wizard, Motion, Body, Potions, Dead>(),
+                  .reads = world.mask<Cauldron, Wizard, Motion, Body, Effects, Dead>(),
                   .writes = world.mask<resource::Physics>(),
                   .needs = world.mask<BrewSamples>(),
                   .run = [&context](ecs::World& w, Tick tick) {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/context/effects.h"
 #include "game/stations/cauldron/brewing.h"
 
 namespace thaum::game::inline stations {
 namespace {
 
-/// Time between two losses of health by poison.
-constexpr Tick poison_period = ticks(1.0);
 /// Time after the beginning of a round at which players are shown the order of ingredients in recipes that
 /// have a random one.
 constexpr Tick told_after = ticks(1.0);
@@ -125,20 +124,10 @@ std::uint32_t counts_for(const Recipe& recipe, std::uint32_t done, const StrokeR
 
 // ---- success ----------------------------------------------------------------------------------------------
 
-/// Lets the potion act on its wizard.
-void drink(MatchContext& context, ecs::Entity wizard, std::uint32_t number, Tick tick) {
-    const auto& recipe = context.data.recipes[number];
-    auto& potions = context.world.get<Potions>(wizard);
-    if (recipe.gift.lasts > 0) potions.until[number] = tick + recipe.gift.lasts;
-    if (recipe.gift.work_half) potions.work_half = 1;
-    for (const auto& effect : recipe.effects)
-        effect->drunk({context, wizard, number, recipe.gift.lasts, tick});
-}
-
+/// Lets the wizard drink the potion, which also changes the brew.
 void succeed(MatchContext& context, Cauldron& cauldron, ecs::Entity wizard, const Recipe& recipe, Tick tick) {
     const auto number = static_cast<std::uint32_t>(&recipe - context.data.recipes.data());
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
-    drink(context, wizard, number, tick);
     forget_filling(cauldron);
     cauldron.spoilt = 1;
     cauldron.potion = number;
@@ -148,66 +137,12 @@ void succeed(MatchContext& context, Cauldron& cauldron, ecs::Entity wizard, cons
                      .subject = player,
                      .by = player,
                      .detail = number,
-                     .amount = seconds(recipe.gift.lasts),
+                     .amount = seconds(longest_of(recipe.effects)),
                      .place = cauldron.middle});
-    if (!recipe.gift.work_half) return;
-    record(context, {.tick = tick,
-                     .kind = EventKind::work_half,
-                     .subject = player,
-                     .by = player,
-                     .place = cauldron.middle});
+    begin_effects(context, wizard, recipe.effects, {.tick = tick, .place = cauldron.middle});
 }
 
-// ---- time -------------------------------------------------------------------------------------------------
-
-/// Product of one factor (a member of PotionGift) over all potions that act on a wizard now.
-double product_of(const MatchData& data, const Potions* potions, Tick tick, double PotionGift::*share) {
-    double product = 1;
-    if (potions == nullptr) return product;
-    for (std::size_t i = 0; i < data.recipes.size(); ++i)
-        if (tick < potions->until[i]) product *= data.recipes[i].gift.*share;
-    return product;
-}
-
-/// Ends the potions whose time is up, and records that.
-void end_potions(MatchContext& context, ecs::Entity e, const Wizard& wizard, vec3 place, Potions& potions,
-                 Tick tick) {
-    for (std::uint32_t i = 0; i < potions.until.size(); ++i) {
-        if (potions.until[i] == 0 || tick < potions.until[i]) continue;
-        potions.until[i] = 0;
-        record(context, {.tick = tick,
-                         .kind = EventKind::potion_over,
-                         .subject = wizard.player,
-                         .by = wizard.player,
-                         .detail = i,
-                         .place = place});
-        // If data files were edited during the match, the recipe may no longer exist.
-        if (i >= context.data.recipes.size()) continue;
-        const auto& recipe = context.data.recipes[i];
-        for (const auto& effect : recipe.effects) effect->over({context, e, i, recipe.gift.lasts, tick});
-    }
-}
-
-/// Hurts a poisoned wizard, once a second.
-void hurt_by_poison(MatchContext& context, ecs::Entity e, const Health& health, vec3 place, Tick tick) {
-    if (tick >= health.poisoned_until) return;
-    // The first hit comes a second after the poisoning, the last one in the last gameplay tick.
-    if ((health.poisoned_until - tick - 1) % poison_period >= gameplay_period) return;
-    hurt(context, e, tick,
-         {.points = health.poison * seconds(poison_period),
-          .by = health.poisoned_by,
-          .how = EventKind::poison,
-          .place = place});
-}
-
-void run_potions(MatchContext& context, Tick tick) {
-    context.world.view<const Wizard, const Motion, Potions, const Health, ecs::Without<Dead>>().each(
-        [&](ecs::Entity e, const Wizard& wizard, const Motion& motion, Potions& potions,
-            const Health& health) {
-            end_potions(context, e, wizard, motion.position, potions, tick);
-            hurt_by_poison(context, e, health, motion.position, tick);
-        });
-}
+// ---- random orders ----------------------------------------------------------------------------------------
 
 /// Event::detail of a recipe whose order is revealed: the recipe's number, then those of its ingredients, 8
 /// bits each.
@@ -334,43 +269,16 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke&
         succeed(context, cauldron, wizard, *recipe, tick);
 }
 
-void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick) {
-    auto& world = context.world;
-    const auto& const_world = std::as_const(world);
-    if (!const_world.has<Potions>(wizard)) return;
-    if (const_world.get<Potions>(wizard).work_half != 0)
-        record(context, {.tick = tick,
-                         .kind = EventKind::work_lost,
-                         .subject = const_world.get<Wizard>(wizard).player,
-                         .place = const_world.get<Motion>(wizard).position});
-    world.get<Potions>(wizard) = {};
-    for (std::uint32_t i = 0; i < context.data.recipes.size(); ++i)
-        for (const auto& effect : context.data.recipes[i].effects)
-            effect->lost({context, wizard, i, context.data.recipes[i].gift.lasts, tick});
+ecs::Mask brew_by_stroke_reads(const ecs::World& world) {
+    auto reads = effect_reads(world);
+    reads |= world.mask<Wizard, DrawnOrders>();
+    return reads;
 }
-
-ecs::Mask potion_writes(const MatchContext& context) {
-    const auto& world = context.world;
-    auto writes = world.mask<Potions, EventLog, resource::Journal>();
-    for (const auto& recipe : context.data.recipes)
-        for (const auto& effect : recipe.effects) writes |= effect->writes(world);
-    return writes;
-}
-
-ecs::Mask brew_by_stroke_reads(const ecs::World& world) { return world.mask<Wizard, DrawnOrders>(); }
 
 ecs::Mask brew_by_stroke_writes(const MatchContext& context) {
-    auto writes = potion_writes(context);
-    writes |= context.world.mask<Cauldron>();
+    auto writes = context.world.mask<Cauldron, Effects, EventLog, resource::Journal>();
+    for (const auto& recipe : context.data.recipes) writes |= effect_writes(context.world, recipe.effects);
     return writes;
-}
-
-double pace_of(const MatchData& data, const Potions* potions, Tick tick) {
-    return product_of(data, potions, tick, &PotionGift::pace);
-}
-
-double weight_of(const MatchData& data, const Potions* potions, Tick tick) {
-    return product_of(data, potions, tick, &PotionGift::gravity);
 }
 
 void tell_order(MatchContext& context, std::uint32_t player, Tick tick) {
@@ -437,19 +345,9 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     }
 }
 
-void add_potion_systems(MatchContext& context, ecs::Schedule& schedule) {
-    auto& world = context.world;
-    auto writes = potion_writes(context);
-    writes |= world.mask<Health>();
-    schedule.add({.name = "potions",
-                  .period = gameplay_period,
-                  .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = writes,
-                  .needs = world.mask<Potions>(),
-                  .run = [&context](ecs::World&, Tick tick) { run_potions(context, tick); }});
-    for (const auto& recipe : context.data.recipes)
-        for (const auto& effect : recipe.effects) effect->add_systems({context, schedule});
+void add_drawn_orders_system(MatchContext& context, ecs::Schedule& schedule) {
     if (context.data.orb) return;
+    const auto& world = context.world;
     schedule.add({.name = "drawn recipes",
                   .period = gameplay_period,
                   .reads = world.mask<Match, DrawnOrders>(),

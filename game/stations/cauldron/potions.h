@@ -1,9 +1,10 @@
 // game/stations/cauldron/potions.h: potions in the match (MANUAL.md, "The cauldron"): which recipes a brew
-// can still become, how strokes drawn on it are judged, and what a potion does to its wizard.
+// can still become, and how strokes drawn on it are judged. context/effects.h has what a potion does to its
+// wizard.
 //
 //     ingredients in their order, each in the window of the one before   drop_for_recipe()
 //     strokes, the first one in the window of the last ingredient        brew_by_stroke()
-//     last stroke: the wizard drinks the potion, the brew is changed     Potions, Cauldron::potion
+//     last stroke: the wizard drinks the potion, the brew is changed     Effects, Cauldron::potion
 //
 // A step is in the window of an ingredient while the share of the brew that this ingredient has reached lies
 // in a range that the recipe gives. A wrong step costs only time: a wrong stroke may be drawn again. But
@@ -63,17 +64,6 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke&
 ecs::Mask brew_by_stroke_reads(const ecs::World& world);
 ecs::Mask brew_by_stroke_writes(const MatchContext& context);
 
-/// Components and resources that potions write when they are drunk, are over or are lost.
-ecs::Mask potion_writes(const MatchContext& context);
-
-/// Takes all potions from a wizard who dies. Writes potion_writes(), reads Wizard and Motion.
-void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick);
-
-/// Factor by which potions change a wizard's walking speed. `potions` may be null.
-double pace_of(const MatchData& data, const Potions* potions, Tick tick);
-/// Factor by which potions change a wizard's weight. `potions` may be null.
-double weight_of(const MatchData& data, const Potions* potions, Tick tick);
-
 /// Draws the random orders of recipes' ingredients from the match's seed.
 void draw_orders(MatchContext& context, std::uint64_t seed);
 
@@ -88,9 +78,8 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick);
 /// Clears the data about one filling of the cauldron: owner, times, recipe and strokes.
 void forget_filling(Cauldron& cauldron);
 
-/// Adds the systems that end potions, hurt by poison and show players the orders of ingredients that were
-/// drawn at random, every gameplay tick. In an arena with an orb, the orb shows those orders instead
-/// (game/stations/orb/scrying.h).
-void add_potion_systems(MatchContext& context, ecs::Schedule& schedule);
+/// Adds the system that shows players the orders of ingredients that were drawn at random. In an arena with
+/// an orb, the orb shows those orders instead (game/stations/orb/scrying.h).
+void add_drawn_orders_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game::inline stations

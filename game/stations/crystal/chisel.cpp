@@ -5,6 +5,7 @@
 
 #include "core/hash.h"
 #include "game/components/casting.h"
+#include "game/context/effects.h"
 #include "game/context/stations.h"
 #include "game/stations/crystal/grain.h"
 #include "haptics/volume/smooth_grid.h"
@@ -130,8 +131,9 @@ vec3 felt_place(const HandState& hand_state) {
     return servo.primitives == 0 ? hand_state.device.position : servo.proxy;
 }
 
-void give_lens(MatchContext& context, CrystalBodies& bodies, const Carver& carver, Crystal& crystal) {
-    context.world.get<Lens>(carver.wizard).held = 1;
+void reward(MatchContext& context, CrystalBodies& bodies, const Carver& carver, Crystal& crystal) {
+    begin_effects(context, carver.wizard, context.data.crystal->effects,
+                  {.tick = carver.tick, .place = crystal.middle});
     tell(context, carver, EventKind::lens, 0, crystal.middle);
     renew_crystal(context, bodies, crystal);
 }
@@ -172,7 +174,7 @@ void cut(MatchContext& context, CrystalBodies& bodies, const Carver& carver, Chi
     crystal.carver = carver.player;
     const auto& tools = context.data.crystal->tools;
     carve_crystal(context, bodies, crystal, tools[std::as_const(world).get<Lens>(carver.wizard).tool], dab);
-    if (crystal.overlap >= context.data.crystal->overlap) give_lens(context, bodies, carver, crystal);
+    if (crystal.overlap >= context.data.crystal->overlap) reward(context, bodies, carver, crystal);
 }
 
 void carve(MatchContext& context, CrystalBodies& bodies, Tick tick) {
@@ -278,12 +280,15 @@ void add_carving_systems(MatchContext& context, CrystalResource& crystals, ecs::
          .writes = voxels,
          .needs = world.mask<Crystal>(),
          .run = [&context, &crystals](ecs::World&, Tick) { note_carvers(context, crystals.write()); }});
-    auto writes = world.mask<Chisel, Lens, Focus, EventLog, resource::Journal>();
+    auto writes = effect_writes(world, context.data.crystal->effects);
+    writes |= world.mask<Chisel, Lens, Focus>();
     writes |= voxels;
+    auto reads = effect_reads(world);
+    reads |= world.mask<Controls, HandState, AtStation>();
     schedule.add(
         {.name = "carving",
          .period = gameplay_period,
-         .reads = world.mask<Wizard, Controls, HandState, AtStation>(),
+         .reads = reads,
          .writes = writes,
          .needs = world.mask<Chisel>(),
          .run = [&context, &crystals](ecs::World&, Tick tick) { carve(context, crystals.write(), tick); }});
@@ -303,18 +308,6 @@ void add_chisel_system(MatchContext& context, ecs::Schedule& schedule) {
                               chisel.force = frame.turn * hand_state.servo.safety.output;
                           });
                   }});
-}
-
-void lose_lens(MatchContext& context, ecs::Entity wizard, Tick tick) {
-    auto& world = context.world;
-    const auto& const_world = std::as_const(world);
-    const auto* lens = const_world.find<Lens>(wizard);
-    if (lens == nullptr || lens->held == 0) return;
-    world.get<Lens>(wizard).held = 0;
-    record(context, {.tick = tick,
-                     .kind = EventKind::lens_lost,
-                     .subject = const_world.get<Wizard>(wizard).player,
-                     .place = const_world.get<Motion>(wizard).position});
 }
 
 }  // namespace thaum::game::inline stations

@@ -32,9 +32,4 @@ void add_carving_systems(MatchContext& context, CrystalResource& crystals, ecs::
 /// Adds the system that moves the wizards' tools to their hands, every tick. It runs after the haptics.
 void add_chisel_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Takes the Lens from a wizard who dies. The Lens, won by carving a crystal, is one half of the Great Work.
-/// A wizard who holds both halves long enough wins the round. Writes Lens, EventLog and resource::Journal,
-/// reads Wizard and Motion.
-void lose_lens(MatchContext& context, ecs::Entity wizard, Tick tick);
-
 }  // namespace thaum::game::inline stations

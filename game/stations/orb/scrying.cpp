@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/components/casting.h"
+#include "game/context/effects.h"
 #include "game/context/stations.h"
 #include "game/stations/cauldron/potions.h"
 #include "game/stations/orb/orb.h"
@@ -144,13 +145,13 @@ void follow(MatchContext& context, const Scryer& scryer, const Controls& control
 
 // ---- the probe --------------------------------------------------------------------------------------------
 
-/// Gives the orb's reward: the wizard gains health, and is shown the orders of ingredients that were drawn at
-/// random for recipes.
+/// Gives the orb's reward: the wizard gets the orb's effects, and is shown the orders of ingredients that
+/// were drawn at random for recipes.
 void scry(MatchContext& context, const Scryer& scryer, vec3 place, WornModes& modes) {
-    auto& health = context.world.get<Health>(scryer.wizard);
-    const double cap = context.data.wizard.health_cap;
-    const double gained = std::max(0.0, std::min(context.data.orb->healing, cap - health.points));
-    health.points += gained;
+    const auto& effects = context.data.orb->effects;
+    const EffectStart start{.tick = scryer.tick, .place = place};
+    const double gained = gain_of(context, scryer.wizard, effects, start);
+    begin_effects(context, scryer.wizard, effects, start);
     modes.told = modes.order_told = 1;
     tell(context, scryer, EventKind::scried, place, 0, gained);
     tell_order(context, scryer.player, scryer.tick);
@@ -208,10 +209,14 @@ void add_scrying_system(MatchContext& context, ecs::Schedule& schedule) {
 void add_orb_probe_system(MatchContext& context, ecs::Schedule& schedule) {
     if (!context.data.orb) return;
     auto& world = context.world;
+    auto reads = effect_reads(world);
+    reads |= world.mask<AtStation, HandState, Orb, DrawnOrders, resource::Models>();
+    auto writes = effect_writes(world, context.data.orb->effects);
+    writes |= world.mask<Scrying, WornModes>();
     schedule.add(
         {.name = "orb probes",
-         .reads = world.mask<Wizard, AtStation, HandState, Orb, DrawnOrders, resource::Models>(),
-         .writes = world.mask<Scrying, WornModes, Health, EventLog, resource::Journal>(),
+         .reads = reads,
+         .writes = writes,
          .needs = world.mask<Scrying>(),
          .run = [&context](ecs::World& w, Tick tick) {
              w.view<const Wizard, const AtStation, const HandState, Scrying, WornModes>().each(
