@@ -72,6 +72,7 @@ constexpr std::array invariants{
     Invariant{"tactile", "silent", "allocations", 0, 0},
     Invariant{"tactile", "hostile", "violations", 0, 0},
     Invariant{"tactile", "hostile", "lost", 0, 0},
+    Invariant{"field", "read_volume", "held_of_file", 1, 1.1},
     Invariant{"fluid", "", "amount_change", -amount_drift, amount_drift},
 };
 
