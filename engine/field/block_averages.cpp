@@ -23,15 +23,16 @@ constexpr double steady = 0.28;
 /// distance between samples.
 constexpr double over_steps = 2;
 
-/// Average of the finite samples of a box; NaN if there are none.
-float average(const Grid& grid, const VoxelBox& box) {
+/// Average of the finite samples of a box; NaN if there are none. `first` is the grid's first sample.
+template <class T>
+float average(const Grid& grid, const T* first, const VoxelBox& box) {
     double sum = 0;
     int finite = 0;
     for (int k = box.low[2]; k < box.high[2]; ++k) {
         for (int j = box.low[1]; j < box.high[1]; ++j) {
-            const float* row = grid.first + (k * grid.stride[2] + j * grid.stride[1]);
+            const T* row = first + (k * grid.stride[2] + j * grid.stride[1]);
             for (int i = box.low[0]; i < box.high[0]; ++i) {
-                const float sample = row[i * grid.stride[0]];
+                const auto sample = static_cast<float>(row[i * grid.stride[0]]);
                 sum += std::isfinite(sample) ? sample : 0;
                 finite += std::isfinite(sample) ? 1 : 0;
             }
@@ -54,7 +55,8 @@ VoxelBox samples_of(const BlockAverages& averages, const Grid& grid, const Voxel
 }
 
 /// Adds each sample of a row to the sum of its block, in the order of the row.
-void add_row(const float* row, std::ptrdiff_t stride, int samples, int block, double* sums) {
+template <class T>
+void add_row(const T* row, std::ptrdiff_t stride, int samples, int block, double* sums) {
     for (int first = 0; first < samples; first += block, ++sums) {
         const int end = std::min(first + block, samples);
         for (int i = first; i < end; ++i) *sums += static_cast<double>(row[i * stride]);
@@ -62,13 +64,13 @@ void add_row(const float* row, std::ptrdiff_t stride, int samples, int block, do
 }
 
 /// Computes the averages of up to `together` blocks along x.
-void fill_run(BlockAverages& averages, const Grid& grid, const VoxelBox& run) {
+template <class T>
+void fill_run(BlockAverages& averages, const Grid& grid, const T* first, const VoxelBox& run) {
     std::array<double, together> sums{};
     const VoxelBox all = samples_of(averages, grid, run);
     for (int k = all.low[2]; k < all.high[2]; ++k) {
         for (int j = all.low[1]; j < all.high[1]; ++j) {
-            const float* row =
-                grid.first + (k * grid.stride[2] + j * grid.stride[1] + all.low[0] * grid.stride[0]);
+            const T* row = first + (k * grid.stride[2] + j * grid.stride[1] + all.low[0] * grid.stride[0]);
             add_row(row, grid.stride[0], all.high[0] - all.low[0], averages.block[0], sums.data());
         }
     }
@@ -84,26 +86,30 @@ void fill_run(BlockAverages& averages, const Grid& grid, const VoxelBox& run) {
         const double sum = sums[static_cast<std::size_t>(i - run.low[0])];
         // A sample that is not finite makes the sum not finite. Then only the finite samples are averaged.
         result[i] = std::isfinite(sum) ? static_cast<float>(sum / (rows * (box.high[0] - box.low[0])))
-                                       : average(grid, box);
+                                       : average(grid, first, box);
     }
 }
 
 /// Computes the average of the samples of each block in the range `blocks`.
 void fill(BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
+    const auto fill_row = [&](int j, int k, const auto* first) {
+        for (int i = blocks.low[0]; i < blocks.high[0]; i += together)
+            fill_run(averages, grid, first,
+                     {{i, j, k}, {std::min(i + together, blocks.high[0]), j + 1, k + 1}});
+    };
     for (int k = blocks.low[2]; k < blocks.high[2]; ++k) {
-        for (int j = blocks.low[1]; j < blocks.high[1]; ++j) {
-            for (int i = blocks.low[0]; i < blocks.high[0]; i += together)
-                fill_run(averages, grid, {{i, j, k}, {std::min(i + together, blocks.high[0]), j + 1, k + 1}});
-        }
+        for (int j = blocks.low[1]; j < blocks.high[1]; ++j)
+            grid.with_samples([&](const auto* first) { fill_row(j, k, first); });
     }
 }
 
 constexpr int in_a_row = 16;
 /// Whether the next `in_a_row` samples, which are adjacent in memory, all equal `value`, as in most parts of
 /// a mask.
-bool all_equal(const float* samples, float value) {
+template <class T>
+bool all_equal(const T* samples, float value) {
     bool equal = true;
-    for (int i = 0; i < in_a_row; ++i) equal &= samples[i] == value;
+    for (int i = 0; i < in_a_row; ++i) equal &= static_cast<float>(samples[i]) == value;
     return equal;
 }
 
@@ -127,16 +133,17 @@ struct FewValues {
 
 /// Whether the samples take so few values that a body's surface has coarse steps, as in masks and in numbered
 /// segments.
-bool has_steps(const Grid& grid) {
+template <class T>
+bool has_steps(const Grid& grid, const T* first) {
     FewValues values;
     for (int k = 0; k < grid.count[2]; ++k) {
         for (int j = 0; j < grid.count[1]; ++j) {
-            const float* row = grid.first + (k * grid.stride[2] + j * grid.stride[1]);
+            const T* row = first + (k * grid.stride[2] + j * grid.stride[1]);
             for (int i = 0; i < grid.count[0]; ++i) {
                 const bool more = grid.stride[0] == 1 && grid.count[0] - i >= in_a_row;
                 if (more && all_equal(row + i, values.last))
                     i += in_a_row - 1;
-                else if (!values.add(row[i * grid.stride[0]]))
+                else if (!values.add(static_cast<float>(row[i * grid.stride[0]])))
                     return false;
             }
         }
@@ -148,16 +155,17 @@ bool has_steps(const Grid& grid) {
 /// over the mean of their squares, averaged over the grid. It is 1 on even slopes and where nothing changes,
 /// and 0 for a mask, where each rise takes a single interval. The weight of a place is the square of both
 /// rises together, so that noise hardly counts beside the surfaces of bodies.
-double steadiness(const Grid& grid, std::size_t axis) {
+template <class T>
+double steadiness(const Grid& grid, const T* first, std::size_t axis) {
     VoxelBox all{{}, grid.count};
     all.high[axis] -= 2;
     const std::ptrdiff_t next = grid.stride[axis];
     double products = 0, squares = 0;
     for (int k = 0; k < all.high[2]; ++k) {
         for (int j = 0; j < all.high[1]; ++j) {
-            const float* row = grid.first + (k * grid.stride[2] + j * grid.stride[1]);
+            const T* row = first + (k * grid.stride[2] + j * grid.stride[1]);
             for (int i = 0; i < all.high[0]; ++i) {
-                const float* sample = row + i * grid.stride[0];
+                const T* sample = row + i * grid.stride[0];
                 const double middle = static_cast<double>(sample[next]);
                 const double before = middle - static_cast<double>(sample[0]);
                 const double after = static_cast<double>(sample[2 * next]) - middle;
@@ -172,13 +180,14 @@ double steadiness(const Grid& grid, std::size_t axis) {
 }
 
 /// Whether the samples make steps that are coarser than the finest distance between them.
-bool has_coarse_steps(const Grid& grid) {
+template <class T>
+bool has_coarse_steps(const Grid& grid, const T* first) {
     const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const bool apart = grid.spacing[static_cast<int>(axis)] >= far_apart * finest;
-        if (apart && steadiness(grid, axis) < steady) return true;
+        if (apart && steadiness(grid, first, axis) < steady) return true;
     }
-    return has_steps(grid);
+    return has_steps(grid, first);
 }
 
 std::array<int, 3> block_of(const Grid& grid, bool coarse_steps) {
@@ -210,8 +219,9 @@ Grid BlockAverages::grid(const Grid& of) const {
 BlockAverages make_block_averages(const Grid& grid, const Bricks* bricks) {
     BlockAverages averages;
     if (bricks != nullptr) averages.newest = bricks->newest;
-    if (grid.first == nullptr) return averages;
-    averages.coarse_steps = has_coarse_steps(grid);
+    if (!grid.has_samples()) return averages;
+    averages.coarse_steps =
+        grid.with_samples([&](const auto* first) { return has_coarse_steps(grid, first); });
     averages.block = block_of(grid, averages.coarse_steps);
     if (averages.block == std::array{1, 1, 1}) return averages;
     std::size_t total = 1;

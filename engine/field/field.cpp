@@ -82,17 +82,17 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
 
 /// Value between the eight samples around `at`, which is counted in samples. Adds in the same order as
 /// Grid::operator(), so that both give the same bits. Needs two samples along each axis.
-double trilinear(const Grid& grid, vec3 at) {
+template <class T>
+double trilinear(const Grid& grid, const T* first, vec3 at) {
     const Cell x = cell_at(at.x, grid.count[0]), y = cell_at(at.y, grid.count[1]);
     const Cell z = cell_at(at.z, grid.count[2]);
-    const float* low =
-        grid.first + (z.low * grid.stride[2] + y.low * grid.stride[1] + x.low * grid.stride[0]);
-    const float* high = low + grid.stride[2];
+    const T* low = first + (z.low * grid.stride[2] + y.low * grid.stride[1] + x.low * grid.stride[0]);
+    const T* high = low + grid.stride[2];
     const double base = *low;
-    const auto along = [&](const float* row) {
+    const auto along = [&](const T* row) {
         return (1 - x.t) * (row[0] - base) + x.t * (row[grid.stride[0]] - base);
     };
-    const auto across = [&](const float* plane) {
+    const auto across = [&](const T* plane) {
         return (1 - y.t) * along(plane) + y.t * along(plane + grid.stride[1]);
     };
     return base + ((1 - z.t) * across(low) + z.t * across(high));
@@ -101,32 +101,21 @@ double trilinear(const Grid& grid, vec3 at) {
 /// A reference sample of the cell. Kernels are applied to differences from it. Where all samples are equal,
 /// value and gradient are therefore exact. With rounding noise the gradient of a uniform region would have a
 /// direction that jumps, which a hand that feels the field would notice.
-double base_of(const float* first, const Taps& x, const Taps& y, const Taps& z) {
+template <class T>
+double base_of(const T* first, const Taps& x, const Taps& y, const Taps& z) {
     return first[x.offset[x.count / 4] + y.offset[y.count / 4] + z.offset[z.count / 4]];
 }
 
-bool can_read(const Grid& grid, vec3 place) {
-    return grid.first != nullptr && *std::ranges::min_element(grid.count) >= 1 && is_finite(place);
-}
+bool can_read(const Grid& grid, vec3 place) { return grid.has_samples() && is_finite(place); }
 
-}  // namespace
-
-double Grid::linear_value(double x, double y, double z) const { return trilinear(*this, {x, y, z}); }
-
-double Grid::value_at(double x_m, double y_m, double z_m) const {
-    const vec3 place(x_m, y_m, z_m);
-    if (!can_read(*this, place)) return 0;
-    const vec3 at = (place - origin) / spacing;
-    if (kernel == Kernel::linear && *std::ranges::min_element(count) >= 2) return trilinear(*this, at);
-    const Taps x = taps_at(at.x, count[0], stride[0], 1, kernel);
-    const Taps y = taps_at(at.y, count[1], stride[1], 1, kernel);
-    const Taps z = taps_at(at.z, count[2], stride[2], 1, kernel);
+template <class T>
+double weighted_value(const T* first, const Taps& x, const Taps& y, const Taps& z) {
     const double base = base_of(first, x, y, z);
     double result = 0;
     for (std::size_t k = 0; k < z.count; ++k) {
         double across = 0;
         for (std::size_t j = 0; j < y.count; ++j) {
-            const float* row = first + (z.offset[k] + y.offset[j]);
+            const T* row = first + (z.offset[k] + y.offset[j]);
             double along = 0;
             for (std::size_t i = 0; i < x.count; ++i) along += x.value[i] * (row[x.offset[i]] - base);
             across += y.value[j] * along;
@@ -136,20 +125,14 @@ double Grid::value_at(double x_m, double y_m, double z_m) const {
     return base + result;
 }
 
-Scalar Grid::scalar_at(double x_m, double y_m, double z_m) const {
-    const vec3 place(x_m, y_m, z_m);
-    if (!can_read(*this, place)) return {};
-    const vec3 at = (place - origin) / spacing;
-    const vec3 per_metre = 1.0 / spacing;
-    const Taps x = taps_at(at.x, count[0], stride[0], per_metre.x, kernel);
-    const Taps y = taps_at(at.y, count[1], stride[1], per_metre.y, kernel);
-    const Taps z = taps_at(at.z, count[2], stride[2], per_metre.z, kernel);
+template <class T>
+Scalar weighted_scalar(const T* first, const Taps& x, const Taps& y, const Taps& z) {
     const double base = base_of(first, x, y, z);
     Scalar result;
     for (std::size_t k = 0; k < z.count; ++k) {
         double value = 0, across_x = 0, across_y = 0;
         for (std::size_t j = 0; j < y.count; ++j) {
-            const float* row = first + (z.offset[k] + y.offset[j]);
+            const T* row = first + (z.offset[k] + y.offset[j]);
             double along = 0, slope = 0;
             for (std::size_t i = 0; i < x.count; ++i) {
                 const double sample = row[x.offset[i]] - base;
@@ -165,6 +148,35 @@ Scalar Grid::scalar_at(double x_m, double y_m, double z_m) const {
     }
     result.value += base;
     return result;
+}
+
+}  // namespace
+
+double Grid::linear_value(double x, double y, double z) const {
+    return with_samples([&](const auto* samples) { return trilinear(*this, samples, {x, y, z}); });
+}
+
+double Grid::value_at(double x_m, double y_m, double z_m) const {
+    const vec3 place(x_m, y_m, z_m);
+    if (!can_read(*this, place)) return 0;
+    const vec3 at = (place - origin) / spacing;
+    if (kernel == Kernel::linear && *std::ranges::min_element(count) >= 2)
+        return with_samples([&](const auto* samples) { return trilinear(*this, samples, at); });
+    const Taps x = taps_at(at.x, count[0], stride[0], 1, kernel);
+    const Taps y = taps_at(at.y, count[1], stride[1], 1, kernel);
+    const Taps z = taps_at(at.z, count[2], stride[2], 1, kernel);
+    return with_samples([&](const auto* samples) { return weighted_value(samples, x, y, z); });
+}
+
+Scalar Grid::scalar_at(double x_m, double y_m, double z_m) const {
+    const vec3 place(x_m, y_m, z_m);
+    if (!can_read(*this, place)) return {};
+    const vec3 at = (place - origin) / spacing;
+    const vec3 per_metre = 1.0 / spacing;
+    const Taps x = taps_at(at.x, count[0], stride[0], per_metre.x, kernel);
+    const Taps y = taps_at(at.y, count[1], stride[1], per_metre.y, kernel);
+    const Taps z = taps_at(at.z, count[2], stride[2], per_metre.z, kernel);
+    return with_samples([&](const auto* samples) { return weighted_scalar(samples, x, y, z); });
 }
 
 Vector StaggeredGrid::operator()(vec3 place) const {

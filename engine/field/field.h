@@ -25,6 +25,7 @@
 #include <cstdint>
 
 #include "core/maths.h"
+#include "field/volume_samples.h"
 
 namespace thaum::field {
 
@@ -86,13 +87,23 @@ enum class Kernel : std::uint8_t { linear, catmull_rom };
 /// Samples in memory. Sample (i, j, k) is first[i stride[0] + j stride[1] + k stride[2]]. Its place is origin
 /// + spacing (i, j, k), axis by axis.
 struct Grid {
-    const float* first{};
+    FirstSample first{};
     std::array<int, 3> count{};
     std::array<std::ptrdiff_t, 3> stride{};
     vec3 origin{};    ///< place of the first sample (m)
     vec3 spacing{1};  ///< distance between samples along each axis, > 0 (m)
     Kernel kernel{Kernel::catmull_rom};
 
+    /// Returns use(first), where `first` is the pointer to samples of one type.
+    template <class Use>
+    decltype(auto) with_samples(Use use) const {
+        return std::visit(use, first);
+    }
+    /// Whether there is a sample to read.
+    bool has_samples() const {
+        return with_samples([](const auto* samples) { return samples != nullptr; }) && count[0] >= 1 &&
+               count[1] >= 1 && count[2] >= 1;
+    }
     // The place is passed on component by component, so in registers. Otherwise clang loads two numbers at
     // once. If the caller has just written the place to memory, the processor must then wait until both are
     // stored, which takes half of the time of an evaluation.

@@ -336,6 +336,7 @@ void smooth(Volume& volume, double deviation) {
     lines.samples.resize(lines_at_once * (longest + 2 * lines.margin));
     std::array<std::ptrdiff_t, 3> stride{volume.components, volume.components * volume.count[0],
                                          volume.components * volume.count[0] * volume.count[1]};
+    float* const samples = volume.samples.floats().data();
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
         std::array<float*, lines_at_once> first{};
@@ -347,7 +348,7 @@ void smooth(Volume& volume, double deviation) {
         for (int k = 0; k < volume.count[c]; ++k) {
             for (int j = 0; j < volume.count[b]; ++j) {
                 for (int component = 0; component < volume.components; ++component) {
-                    first[waiting++] = volume.samples.data() + component + j * stride[b] + k * stride[c];
+                    first[waiting++] = samples + component + j * stride[b] + k * stride[c];
                     if (waiting == lines_at_once) smooth_waiting();
                 }
             }

@@ -85,7 +85,7 @@ void keep_luminance(NrrdColour colour, Volume& volume) {
     constexpr std::array<std::array<double, 3>, 4> shares{
         {{1, 0, 0}, {0.2126, 0.7152, 0.0722}, {0, 0, 1}, {0, 1, 0}}};
     const auto& share = shares[static_cast<std::size_t>(colour)];
-    auto& samples = volume.samples;
+    auto& samples = volume.samples.floats();
     for (std::size_t i = 0; 3 * i < samples.size(); ++i) {
         double sum = 0;
         for (std::size_t c = 0; c < 3; ++c) sum += share[c] * static_cast<double>(samples[3 * i + c]);
@@ -113,10 +113,10 @@ void turn_values(const mat3& to_own, Volume& volume) {
     for (int i = 0; i < 3; ++i) same = same && glm::length(to_own[i] - mat3(1.0)[i]) < is_turned;
     if (same) return;
     if (volume.stored_as < SampleType::float32) volume.stored_as = SampleType::float32;
-    for (std::size_t at = 0; at + 3 <= volume.samples.size(); at += 3) {
-        const vec3 v = to_own * vec3(volume.samples[at], volume.samples[at + 1], volume.samples[at + 2]);
-        for (int i = 0; i < 3; ++i)
-            volume.samples[at + static_cast<std::size_t>(i)] = static_cast<float>(v[i]);
+    auto& samples = volume.samples.floats();
+    for (std::size_t at = 0; at + 3 <= samples.size(); at += 3) {
+        const vec3 v = to_own * vec3(samples[at], samples[at + 1], samples[at + 2]);
+        for (int i = 0; i < 3; ++i) samples[at + static_cast<std::size_t>(i)] = static_cast<float>(v[i]);
     }
 }
 

@@ -14,11 +14,14 @@ constexpr double nearly_best = 1 - 1e-3;
 template <class Use>
 void for_each_value(const Volume& volume, Use use) {
     const auto step = static_cast<std::size_t>(volume.components);
-    for (std::size_t at = 0; at + step <= volume.samples.size(); at += step) {
-        const float* sample = &volume.samples[at];
-        const double value = step == 3 ? glm::length(vec3(sample[0], sample[1], sample[2])) : double{*sample};
-        if (std::isfinite(value)) use(value);
-    }
+    volume.samples.visit([&](const auto& samples) {
+        for (std::size_t at = 0; at + step <= samples.size(); at += step) {
+            const auto* sample = &samples[at];
+            const double value =
+                step == 3 ? glm::length(vec3(sample[0], sample[1], sample[2])) : static_cast<double>(*sample);
+            if (std::isfinite(value)) use(value);
+        }
+    });
 }
 
 /// For each class (an interval of values), how well a level at its upper end would separate the samples: the

@@ -27,7 +27,7 @@ Volume empty_volume(std::array<int, 3> count, vec3 spacing, int components) {
     std::size_t size = static_cast<std::size_t>(components);
     for (const int n : count) size *= static_cast<std::size_t>(n);
     THAUM_ASSERT(size <= max_samples, "a volume with too many samples");
-    volume.samples.reserve(size);
+    volume.samples.floats().reserve(size);
     return volume;
 }
 
@@ -91,7 +91,7 @@ constexpr auto names = [] {
 Grid Volume::grid(Kernel kernel, int component) const {
     if (samples.empty() || component < 0 || component >= components) return {};
     const std::ptrdiff_t step = components, row = step * count[0], plane = row * count[1];
-    return {.first = samples.data() + component,
+    return {.first = samples.from(static_cast<std::size_t>(component)),
             .count = count,
             .stride = {step, row, plane},
             .origin = -0.5 * extent(),
@@ -114,31 +114,38 @@ void lie_as(Volume& volume, const Volume& other) {
 SampleRange range_of(const Volume& volume) {
     SampleRange range;
     bool any = false;
-    for (const float sample : volume.samples) {
-        if (!std::isfinite(sample)) continue;
-        range.low = any ? std::min(range.low, sample) : sample;
-        range.high = any ? std::max(range.high, sample) : sample;
-        any = true;
-    }
+    volume.samples.visit([&](const auto& samples) {
+        for (const auto stored : samples) {
+            const auto sample = static_cast<float>(stored);
+            if (!std::isfinite(sample)) continue;
+            range.low = any ? std::min(range.low, sample) : sample;
+            range.high = any ? std::max(range.high, sample) : sample;
+            any = true;
+        }
+    });
     return range;
 }
 
 std::size_t not_finite(const Volume& volume) {
+    const auto* floats = std::get_if<std::vector<float>>(&volume.samples.values);
+    if (floats == nullptr) return 0;
     return static_cast<std::size_t>(
-        std::ranges::count_if(volume.samples, [](float sample) { return !std::isfinite(sample); }));
+        std::ranges::count_if(*floats, [](float sample) { return !std::isfinite(sample); }));
 }
 
 Volume sampled(const ScalarField& field, std::array<int, 3> count, vec3 spacing) {
     Volume volume = empty_volume(count, spacing, 1);
-    for_each_place(volume, [&](vec3 at) { volume.samples.push_back(static_cast<float>(field(at).value)); });
+    auto& samples = volume.samples.floats();
+    for_each_place(volume, [&](vec3 at) { samples.push_back(static_cast<float>(field(at).value)); });
     return volume;
 }
 
 Volume sampled(const VectorField& field, std::array<int, 3> count, vec3 spacing) {
     Volume volume = empty_volume(count, spacing, 3);
+    auto& samples = volume.samples.floats();
     for_each_place(volume, [&](vec3 at) {
         const vec3 value = field(at).value;
-        for (int c = 0; c < 3; ++c) volume.samples.push_back(static_cast<float>(value[c]));
+        for (int c = 0; c < 3; ++c) samples.push_back(static_cast<float>(value[c]));
     });
     return volume;
 }
@@ -146,9 +153,9 @@ Volume sampled(const VectorField& field, std::array<int, 3> count, vec3 spacing)
 Volume scanned(const ScalarField& depth, std::array<int, 3> count, vec3 spacing) {
     Volume volume = empty_volume(count, spacing, 1);
     volume.stored_as = SampleType::uint8;
-    for_each_place(volume, [&](vec3 at) {
-        volume.samples.push_back(std::round(255 * share_inside(depth, at, spacing)));
-    });
+    auto& samples = volume.samples.floats();
+    for_each_place(volume,
+                   [&](vec3 at) { samples.push_back(std::round(255 * share_inside(depth, at, spacing))); });
     return volume;
 }
 

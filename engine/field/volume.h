@@ -6,8 +6,9 @@
 //     generator (make_volume) -----'
 //
 // Volume's frame: its origin is the middle of the box that the samples span, and its axes are those of the
-// samples. The placement takes it to the frame of the file or of the world. Samples are floats, which hold
-// every integer of 8 or 16 bits exactly and round a double and integers from 16,777,216 on.
+// samples. The placement takes it to the frame of the file or of the world. Samples keep the type of the file
+// if they are integers of 16 bits, or of 8 bits without a sign. All others become floats, which round a
+// double and integers from 16,777,216 on.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -21,6 +22,7 @@
 #include "core/error.h"
 #include "field/field.h"
 #include "field/placement.h"
+#include "field/volume_samples.h"
 
 namespace thaum::field {
 
@@ -72,7 +74,7 @@ struct Volume {
     bool is_colour{false};                      ///< true: the components are red, green and blue
     SampleType stored_as{SampleType::float32};  ///< type in which a file stores the samples
     /// Component c of sample (i, j, k) is samples[c + components (i + count[0] (j + count[1] k))].
-    std::vector<float> samples{};
+    VolumeSamples samples{};
     std::string name{};   ///< name of what the volume shows, for lists; may be empty
     std::string units{};  ///< unit of the samples, such as "HU"; may be empty
     /// True: the axes of the parent frame point to a patient's left, back and head, as a medical file says.
@@ -88,7 +90,8 @@ struct Volume {
     int frames{1};
     std::vector<std::string> notes{};  ///< messages of the file's reader for the user, one line each
 
-    /// View of one component as a field in the volume's frame. Valid while `samples` is not resized.
+    /// View of one component as a field in the volume's frame. Valid while `samples` is neither resized nor
+    /// converted.
     Grid grid(Kernel kernel = Kernel::catmull_rom, int component = 0) const;
     /// View of a vector volume as a field in the volume's frame. A scalar volume gives zeros.
     StaggeredGrid vector_grid(Kernel kernel = Kernel::catmull_rom) const;

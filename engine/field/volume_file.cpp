@@ -143,7 +143,7 @@ Expected<Volume> read_volume(const std::filesystem::path& path, const ReadChoice
     const bool nrrd = ending == ".nrrd" || ending == ".nhdr";
     if (!nrrd && ending != ".toml") return fail(in_one_line(text(path.string(), ": ", advice_for(ending))));
     auto volume = nrrd ? read_nrrd(path, choice) : read_raw(path, choice.limit);
-    if (volume && std::ranges::none_of(volume->samples, [](float sample) { return std::isfinite(sample); }))
+    if (volume && not_finite(*volume) == volume->samples.size())
         return fail(in_one_line(text(path.string(), ": none of its ", volume->samples.size(),
                                      " samples is a finite number; export the volume again")));
     return volume;

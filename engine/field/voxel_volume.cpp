@@ -14,7 +14,6 @@ Volume volume_for(const Voxels& body, std::string_view name, int components, Sam
     volume.components = components;
     volume.stored_as = type;
     volume.name = name;
-    volume.samples.reserve(body.density.size() * static_cast<std::size_t>(components));
     return volume;
 }
 
@@ -32,16 +31,20 @@ Expected<void> check_bytes(const Voxels& body, const Volume& volume, int compone
         return fail(text("the volume of ", what, " needs ", body.count[0], " x ", body.count[1], " x ",
                          body.count[2], " samples of ", components, " components, as the body has"));
     }
-    for (const float sample : volume.samples) {
-        if (!(sample >= 0 && sample <= 255) || sample != std::floor(sample))
-            return fail(text("the volume of ", what, " has a sample that is no whole number from 0 to 255"));
-    }
+    const bool bytes = volume.samples.visit([](const auto& all) {
+        return std::ranges::all_of(all, [](auto stored) {
+            const auto sample = static_cast<float>(stored);
+            return sample >= 0 && sample <= 255 && sample == std::floor(sample);
+        });
+    });
+    if (!bytes)
+        return fail(text("the volume of ", what, " has a sample that is no whole number from 0 to 255"));
     return {};
 }
 
 std::uint8_t byte_of(float sample) { return static_cast<std::uint8_t>(sample); }
 
-/// The body of a volume, still without densities.
+/// The body of a volume, still without voxels.
 Expected<Voxels> body_of(const Volume& volume, std::optional<DensityRange> range) {
     if (volume.components != 1)
         return fail("only a volume of one component can be carved; this one holds vectors");
@@ -60,8 +63,6 @@ Expected<Voxels> body_of(const Volume& volume, std::optional<DensityRange> range
         return fail("the density of solid material must be above that of nothing");
     Voxels body{.count = volume.count,
                 .spacing = spacing,
-                .colour = std::vector(total, Rgb8{255, 255, 255}),
-                .material = std::vector<std::uint8_t>(total),
                 .bricks = make_bricks(volume.count),
                 .placement = volume.placement};
     body.empty = used.empty;
@@ -71,17 +72,24 @@ Expected<Voxels> body_of(const Volume& volume, std::optional<DensityRange> range
     return body;
 }
 
+/// Gives a body its voxels, which are white and of material 0.
+void fill(Voxels& body, std::vector<float> density) {
+    body.colour.assign(density.size(), Rgb8{255, 255, 255});
+    body.material.assign(density.size(), 0);
+    body.density = std::move(density);
+}
+
 }  // namespace
 
 Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range) {
     auto body = body_of(volume, range);
-    if (body) body->density = volume.samples;
+    if (body) fill(*body, volume.samples.as_floats());
     return body;
 }
 
 Expected<Voxels> voxels_of(Volume&& volume, std::optional<DensityRange> range) {
     auto body = body_of(volume, range);
-    if (body) body->density = std::move(volume.samples);
+    if (body) fill(*body, std::move(volume.samples.floats()));
     return body;
 }
 
@@ -94,23 +102,24 @@ Volume density_volume(const Voxels& body) {
 Volume colour_volume(const Voxels& body) {
     Volume volume = volume_for(body, "colour", 3, SampleType::uint8);
     volume.is_colour = true;
-    for (const Rgb8 c : body.colour) {
-        for (const std::uint8_t part : {c.r, c.g, c.b}) volume.samples.push_back(part);
-    }
+    std::vector<std::uint8_t> parts;
+    parts.reserve(3 * body.colour.size());
+    for (const Rgb8 c : body.colour) parts.insert(parts.end(), {c.r, c.g, c.b});
+    volume.samples = std::move(parts);
     return volume;
 }
 
 Volume material_volume(const Voxels& body) {
     Volume volume = volume_for(body, "material", 1, SampleType::uint8);
-    for (const std::uint8_t material : body.material) volume.samples.push_back(material);
+    volume.samples = body.material;
     return volume;
 }
 
 Expected<void> set_colours(Voxels& body, const Volume& volume) {
     if (auto good = check_bytes(body, volume, 3, "colours"); !good) return good;
     for (std::size_t i = 0; i < body.colour.size(); ++i) {
-        const float* sample = &volume.samples[3 * i];
-        body.colour[i] = {byte_of(sample[0]), byte_of(sample[1]), byte_of(sample[2])};
+        const auto part = [&](std::size_t c) { return byte_of(volume.samples[3 * i + c]); };
+        body.colour[i] = {part(0), part(1), part(2)};
     }
     mark_changed(body.bricks, {{}, body.count});
     return {};
@@ -118,7 +127,7 @@ Expected<void> set_colours(Voxels& body, const Volume& volume) {
 
 Expected<void> set_materials(Voxels& body, const Volume& volume) {
     if (auto good = check_bytes(body, volume, 1, "materials"); !good) return good;
-    std::ranges::transform(volume.samples, body.material.begin(), byte_of);
+    for (std::size_t i = 0; i < body.material.size(); ++i) body.material[i] = byte_of(volume.samples[i]);
     mark_changed(body.bricks, {{}, body.count});
     return {};
 }

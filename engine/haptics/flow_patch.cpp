@@ -17,8 +17,7 @@ struct Between {
 using AxisOfNodes = std::array<Between, flow_nodes>;
 
 bool has_samples(const field::Grid& grid) {
-    return grid.first != nullptr && *std::ranges::min_element(grid.count) >= 1 &&
-           glm::all(glm::greaterThan(grid.spacing, vec3(0)));
+    return grid.has_samples() && glm::all(glm::greaterThan(grid.spacing, vec3(0)));
 }
 
 AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node, double node_spacing) {
@@ -35,10 +34,11 @@ AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node
     return nodes;
 }
 
-/// Adds the values of a fluid's grid at the nodes of the patch, times `weight`, to `values`. The grid is read
-/// linearly between its samples.
-void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight, NodeValues& values) {
-    if (!has_samples(grid) || weight == 0) return;
+/// Adds the values of a fluid's grid at the nodes of the patch, times `weight`, to `values`. The grid, whose
+/// first sample is `first`, is read linearly between its samples.
+template <class T>
+void add_at_nodes(const field::Grid& grid, const T* first, const FlowPatch& patch, double weight,
+                  NodeValues& values) {
     const AxisOfNodes x = axis_of(grid, 0, patch.origin.x, patch.spacing);
     const AxisOfNodes y = axis_of(grid, 1, patch.origin.y, patch.spacing);
     const AxisOfNodes z = axis_of(grid, 2, patch.origin.z, patch.spacing);
@@ -47,8 +47,8 @@ void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight
         for (const Between& j : y) {
             const double ll = (1 - k.t) * (1 - j.t), lh = (1 - k.t) * j.t;
             const double hl = k.t * (1 - j.t), hh = k.t * j.t;
-            const float *row_ll = grid.first + (k.low + j.low), *row_lh = grid.first + (k.low + j.high);
-            const float *row_hl = grid.first + (k.high + j.low), *row_hh = grid.first + (k.high + j.high);
+            const T *row_ll = first + (k.low + j.low), *row_lh = first + (k.low + j.high);
+            const T *row_hl = first + (k.high + j.low), *row_hh = first + (k.high + j.high);
             const auto across = [&](std::ptrdiff_t i) {
                 return (ll * row_ll[i] + lh * row_lh[i]) + (hl * row_hl[i] + hh * row_hh[i]);
             };
@@ -56,6 +56,11 @@ void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight
                 values[node++] += weight * ((1 - i.t) * across(i.low) + i.t * across(i.high));
         }
     }
+}
+
+void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight, NodeValues& values) {
+    if (!has_samples(grid) || weight == 0) return;
+    grid.with_samples([&](const auto* first) { add_at_nodes(grid, first, patch, weight, values); });
 }
 
 struct Mixture {

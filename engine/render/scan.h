@@ -40,8 +40,8 @@ constexpr std::array<int, 3> bricks_of(const std::array<int, 3>& samples) {
 }
 
 /// One sample for each place, x contiguous. A float that is NaN counts as Scan::low.
-using ScanSamples =
-    std::variant<std::span<const std::uint8_t>, std::span<const std::uint16_t>, std::span<const float>>;
+using ScanSamples = std::variant<std::span<const std::uint8_t>, std::span<const std::int16_t>,
+                                 std::span<const std::uint16_t>, std::span<const float>>;
 
 /// Colour and opacity of one density.
 struct ScanEntry {
@@ -71,7 +71,7 @@ struct Scan {
     /// otherwise the scan is not drawn.
     std::array<int, 3> count{};
     ScanSamples samples{};
-    /// For samples of type float, the values that mean density 0 and 1; integers use their whole range.
+    /// Samples that mean density 0 and 1. Bytes from 0 to 255 take half the memory of all others.
     float low = 0, high = 1;
     /// Version of each brick (cube of 8^3 samples), x contiguous. Bricks with a new version are sent. Empty:
     /// all bricks are sent.

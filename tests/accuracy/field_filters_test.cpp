@@ -230,7 +230,7 @@ TEST(Smoothing, ManyLinesAtOnceGiveTheBitsOfOneSample) {
     for (const int components : {1, 3}) {
         Volume v{.count = {7, 5, 11}, .spacing = vec3(1), .components = components};
         for (int i = 0; i < 7 * 5 * 11 * components; ++i)
-            v.samples.push_back(static_cast<float>((i * 7919) % 101) / 7);
+            v.samples.floats().push_back(static_cast<float>((i * 7919) % 101) / 7);
         const double deviation = 1.3;
         std::vector<double> weights(7);
         double all = 0;
@@ -248,7 +248,8 @@ TEST(Smoothing, ManyLinesAtOnceGiveTheBitsOfOneSample) {
                 for (int j = 0; j < 5; ++j)
                     for (int i = 0; i < 7; ++i)
                         for (int c = 0; c < components; ++c)
-                            wanted.samples[at++] = smoothed_sample(before, {i, j, k}, axis, c, weights);
+                            wanted.samples.floats()[at++] =
+                                smoothed_sample(before, {i, j, k}, axis, c, weights);
         }
         smooth(v, deviation);
         EXPECT_EQ(v.samples, wanted.samples) << components;
@@ -274,7 +275,7 @@ TEST(Filters, SmoothingKeepsConstantsAndSlopesAndDampsWavesByTheLaw) {
 TEST(Filters, SmoothingAnyVolumeStaysWithinItsRange) {
     Random random = random_stream(5, 5);
     Volume volume{.count = {1, 2, 5}, .components = 3};
-    for (int i = 0; i < 30; ++i) volume.samples.push_back(static_cast<float>(random.uniform(-1, 1)));
+    for (int i = 0; i < 30; ++i) volume.samples.floats().push_back(static_cast<float>(random.uniform(-1, 1)));
     const SampleRange before = range_of(volume);
     for (const double deviation : {0.0, 1e-9, 0.3, 16.0, 1e9}) {
         smooth(volume, deviation);

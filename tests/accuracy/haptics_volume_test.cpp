@@ -213,6 +213,26 @@ TEST(SmoothGrid, ReadsALinearFieldExactlyAndOthersWithSecondOrder) {
     EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2, 0.2);
 }
 
+TEST(SmoothGrid, IntegersReadAsTheFloatsThatTheyEqual) {
+    const ScannedVolume ball = scanned(Ball{{}, 0.02}, 24, 0.0025);
+    const std::vector<std::uint8_t> bytes(ball.samples.begin(), ball.samples.end());
+    std::vector<std::int16_t> shorts;
+    for (const float sample : ball.samples) shorts.push_back(static_cast<std::int16_t>(40 * sample - 3000));
+    const std::vector<float> as_floats(shorts.begin(), shorts.end());
+    SmoothGrid from_bytes = ball.smooth(), from_shorts = ball.smooth(), from_floats = ball.smooth();
+    from_bytes.grid.first = bytes.data();
+    from_shorts.grid.first = shorts.data();
+    from_floats.grid.first = as_floats.data();
+    Random random{9};
+    for (int i = 0; i < 2000; ++i) {
+        const vec3 at(random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04));
+        EXPECT_EQ(from_bytes(at).value, ball.smooth()(at).value);
+        EXPECT_EQ(from_bytes(at).gradient, ball.smooth()(at).gradient);
+        EXPECT_EQ(from_shorts(at).value, from_floats(at).value);
+        EXPECT_EQ(from_shorts(at).gradient, from_floats(at).gradient);
+    }
+}
+
 TEST(SmoothGrid, EqualSamplesPushNobody) {
     for (const float all : {0.1F, 255.0F, -1000.0F}) {
         ScannedVolume even{16, 0.005, {}};

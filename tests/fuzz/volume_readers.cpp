@@ -44,7 +44,7 @@ Outcome use_volume(const Expected<field::Volume>& volume, const Places& places) 
     if (!field::write_nrrd(path, *volume, field::Packing::raw)) return {.fault = "it cannot be written"};
     const auto again = field::read_nrrd(path);
     if (!again) return {.fault = again.error().message};
-    if (!same_bits(again->samples, volume->samples) || again->count != volume->count)
+    if (!same_bits(again->samples.as_floats(), volume->samples.as_floats()) || again->count != volume->count)
         return {.fault = "a volume that differs after it was written and read"};
     return {.accepted = true};
 }

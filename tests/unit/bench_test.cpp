@@ -125,6 +125,19 @@ TEST(BenchReport, ARowThatBreaksItsInvariantIsMarkedAndIsAFault) {
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(read.rows[i].fault, report.rows[i].fault);
 }
 
+TEST(BenchReport, ABaselineThatMayDivergeMayHaveAnInfiniteErrorAndNothingElse) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    auto report = empty_report();
+    report.rows = {row("diverged", 1, 1, infinity), row("broken", 1, 1, std::nan("")),
+                   row("diverged", 1, 1, infinity)};
+    for (auto& row : report.rows) row.error->may_diverge = true;
+    report.rows[2].metrics = {{"us", infinity}};
+    check_invariants(report);
+    EXPECT_EQ(report.rows[0].fault, "");
+    EXPECT_EQ(report.rows[1].fault, "rms is not finite");
+    EXPECT_EQ(report.rows[2].fault, "us is not finite");
+}
+
 TEST(BenchRun, ReplaysHaveNoFault) {
     auto report = empty_report();
     Options options;

@@ -56,6 +56,7 @@ TEST_F(VolumeFiles, EveryTypeWithItsExtremes) {
                 .value();
         EXPECT_EQ(v.samples[0], static_cast<float>(low)) << type;
         EXPECT_EQ(v.samples[1], static_cast<float>(high)) << type;
+        EXPECT_TRUE(std::holds_alternative<std::vector<HeldAs<decltype(low)>>>(v.samples.values)) << type;
     };
     one("signed char", std::int8_t{-128}, std::int8_t{127});
     one("UChar", std::uint8_t{0}, std::uint8_t{255});
@@ -225,7 +226,7 @@ TEST_F(VolumeFiles, EveryVolumeReadsAsItWasWritten) {
                 const bool is_real = type == SampleType::float32 || type == SampleType::float64;
                 for (int i = 0; i < 60 * components; ++i) {
                     const double x = random.uniform(is_signed ? -128 : 0, 127);
-                    v.samples.push_back(static_cast<float>(is_real ? x : std::round(x)));
+                    v.samples.floats().push_back(static_cast<float>(is_real ? x : std::round(x)));
                 }
                 for (const Packing packing : {Packing::raw, Packing::gzip}) {
                     const auto path = in_folder("again.nrrd");

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/random.h"
 #include "field/analytic.h"
+#include "field/block_averages.h"
+#include "field/filters.h"
 
 namespace thaum::field {
 namespace {
@@ -14,7 +17,7 @@ namespace {
 TEST(Volume, TheOriginOfItsFrameIsTheMiddleOfItsSamples) {
     Volume v{.count = {3, 2, 4}, .spacing = {0.5, 2, 0.25}, .components = 3};
     for (int n = 0; n < 3 * 2 * 4; ++n) {
-        for (int c = 0; c < 3; ++c) v.samples.push_back(static_cast<float>(100 * c + n));
+        for (int c = 0; c < 3; ++c) v.samples.floats().push_back(static_cast<float>(100 * c + n));
     }
     EXPECT_EQ(v.extent(), vec3(1, 2, 0.75));
     EXPECT_EQ(v.place(0, 0, 0), vec3(-0.5, -1, -0.375));
@@ -31,6 +34,50 @@ TEST(Volume, TheOriginOfItsFrameIsTheMiddleOfItsSamples) {
             }
         }
     }
+}
+
+/// All numbers of an integer type of 8 or 16 bits, in an order without a pattern, many times over.
+template <class T>
+std::vector<T> all_numbers(std::size_t count) {
+    std::vector<T> numbers;
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(static_cast<T>(i * 25'173 + 13'849));
+    return numbers;
+}
+
+/// Expects that a volume of integers gives the bits of one that holds the same numbers as floats.
+template <class T>
+void expect_the_bits_of_floats() {
+    Volume held{.count = {64, 32, 32}, .spacing = {0.5, 2, 0.25}, .samples = all_numbers<T>(65'536)};
+    Volume floats = held;
+    floats.samples.floats();
+    ASSERT_TRUE(std::holds_alternative<std::vector<T>>(held.samples.values));
+    EXPECT_EQ(range_of(held).low, std::numeric_limits<T>::min());
+    EXPECT_EQ(range_of(held).high, std::numeric_limits<T>::max());
+    EXPECT_EQ(usual_level(held), usual_level(floats));
+    EXPECT_EQ(not_finite(held), 0U);
+    Random random{11};
+    for (const Kernel kernel : {Kernel::linear, Kernel::catmull_rom}) {
+        const Grid a = held.grid(kernel), b = floats.grid(kernel);
+        for (int n = 0; n < 1000; ++n) {
+            const vec3 at(random.uniform(-17, 17), random.uniform(-33, 33), random.uniform(-5, 5));
+            EXPECT_EQ(a(at).value, b(at).value);
+            EXPECT_EQ(a(at).gradient, b(at).gradient);
+            EXPECT_EQ(a.value(at), b.value(at));
+        }
+        const auto means = make_block_averages(a), same = make_block_averages(b);
+        EXPECT_FALSE(means.samples.empty());
+        EXPECT_EQ(means.samples, same.samples);
+        EXPECT_EQ(means.coarse_steps, same.coarse_steps);
+    }
+    smooth(held, 1.5);
+    smooth(floats, 1.5);
+    EXPECT_EQ(held.samples, floats.samples);
+}
+
+TEST(Volume, IntegersReadAsTheFloatsThatTheyEqual) {
+    expect_the_bits_of_floats<std::uint8_t>();
+    expect_the_bits_of_floats<std::int16_t>();
+    expect_the_bits_of_floats<std::uint16_t>();
 }
 
 TEST(Volume, MissingComponentsReadAsZero) {
@@ -55,7 +102,7 @@ TEST(Volume, AScanHoldsTheVolumeOfTheBody) {
     const Sphere sphere{.radius = radius};
     const Volume v = scanned(field_of<Scalar>(sphere), {32, 24, 40}, {0.006, 0.008, 0.005});
     double sum = 0;
-    for (const float sample : v.samples) {
+    for (const float sample : v.samples.as_floats()) {
         sum += sample / 255;
         EXPECT_EQ(sample, std::round(sample));
     }
@@ -69,11 +116,11 @@ TEST(Volume, AScanHoldsTheVolumeOfTheBody) {
 TEST(UsualLevel, PartsTwoClassesAndABallAtItsSurface) {
     Volume v{.count = {1000, 1, 1}};
     for (int i = 0; i < 1000; ++i)
-        v.samples.push_back(static_cast<float>(i < 700 ? i % 100 : 1900 + i % 100));
-    v.samples[3] = std::numeric_limits<float>::quiet_NaN();
-    v.samples[4] = HUGE_VALF;
+        v.samples.floats().push_back(static_cast<float>(i < 700 ? i % 100 : 1900 + i % 100));
+    v.samples.floats()[3] = std::numeric_limits<float>::quiet_NaN();
+    v.samples.floats()[4] = HUGE_VALF;
     EXPECT_NEAR(usual_level(v), 999.5, 10) << "the middle between the classes";
-    v.samples[5] = 4000;
+    v.samples.floats()[5] = 4000;
     EXPECT_LT(usual_level(v), 1900) << "one bright sample moves the middle of the range to 2000";
     EXPECT_NEAR(usual_level(*make_volume("sphere", 64, 1)), 127.5, 6) << "a fortieth of a voxel";
     EXPECT_NEAR(usual_level(*make_volume("gyroid", 48, 1)), 0, 0.02);

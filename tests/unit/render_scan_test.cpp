@@ -146,10 +146,12 @@ TEST_F(ScanPicture, FillingAnEmptyBrickShowsIt) {
 TEST_F(ScanPicture, OfOtherSampleTypesIsTheSame) {
     std::vector<std::uint8_t> bytes;
     std::vector<std::uint16_t> same;
+    std::vector<std::int16_t> shorts;
     std::vector<float> floats;
     for (const auto s : samples) {
         bytes.push_back(static_cast<std::uint8_t>(s / 257));
         same.push_back(static_cast<std::uint16_t>(257 * bytes.back()));
+        shorts.push_back(static_cast<std::int16_t>(bytes.back() - 200));
         floats.push_back(-3 + 5 * static_cast<float>(bytes.back()) / 255);
     }
     auto scan = translucent();
@@ -157,7 +159,12 @@ TEST_F(ScanPicture, OfOtherSampleTypesIsTheSame) {
     const auto sixteen = drawn(scan);
     ++scan.version;
     scan.samples = std::span<const std::uint8_t>(bytes);
+    scan.high = 255;
     EXPECT_LE(max_difference(sixteen, drawn(scan)), 3);
+    ++scan.version;
+    scan.samples = std::span<const std::int16_t>(shorts);
+    scan.low = -200, scan.high = 55;
+    EXPECT_LE(max_difference(sixteen, drawn(scan)), 1);
     ++scan.version;
     scan.samples = std::span<const float>(floats);
     scan.low = -3, scan.high = 2;
@@ -338,7 +345,7 @@ TEST_F(ScanPicture, HugeAndTinyPlacementsEndInAPicture) {
 TEST(ScanBricks, HaveTheRangeOfTheirCells) {
     std::vector<std::uint8_t> samples(12 * 9 * 8);
     std::iota(samples.begin(), samples.end(), std::uint8_t{0});
-    const Scan scan{.count = {12, 9, 8}, .samples = std::span<const std::uint8_t>(samples)};
+    const Scan scan{.count = {12, 9, 8}, .samples = std::span<const std::uint8_t>(samples), .high = 255};
     EXPECT_EQ(bricks_of(scan.count), (std::array{2, 2, 1}));
     for (int by = 0; by < 2; ++by) {
         for (int bx = 0; bx < 2; ++bx) {
@@ -385,7 +392,7 @@ TEST(ScanBricks, DistancesAreThoseOfAllPairs) {
 TEST(ScanBricks, ChangesAreJoinedAlongX) {
     const std::vector<std::uint8_t> samples(32 * 16 * 16);
     std::vector<std::uint32_t> versions(4 * 2 * 2, 1), sent;
-    Scan scan{.count = {32, 16, 16}, .samples = std::span<const std::uint8_t>(samples)};
+    Scan scan{.count = {32, 16, 16}, .samples = std::span<const std::uint8_t>(samples), .high = 255};
     scan.brick_versions = versions;
     auto runs = detail::changed_bricks(scan, sent);
     ASSERT_EQ(runs.size(), 1U);

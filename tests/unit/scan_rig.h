@@ -71,6 +71,7 @@ protected:
                 .version = 1,
                 .count = {n, n, n},
                 .samples = samples,
+                .high = 65535,
                 .spacing = fvec3(2.0F / static_cast<float>(n - 1))};
     }
     static Scan surface_of(std::span<const std::uint16_t> samples, int n) {

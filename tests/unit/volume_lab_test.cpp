@@ -105,7 +105,7 @@ TEST(VolumeLab, AHandAtRestBeyondAnEdgeFeelsNothing) {
         const vec3 a = 4.7911 / (0.5e-3 * (n - 1)) * volume.place(i % n, i / n % n, i / (n * n));
         const double sum = std::sin(a.x + 2.6858) * std::cos(a.y) + std::sin(a.y) * std::cos(a.z) +
                            std::sin(a.z) * std::cos(a.x);
-        volume.samples.push_back(static_cast<float>(std::clamp(0.5 + 0.5 * sum, 0.0, 1.0)));
+        volume.samples.floats().push_back(static_cast<float>(std::clamp(0.5 + 0.5 * sum, 0.0, 1.0)));
     }
     auto lab = lab_of(std::move(volume), "omega3");
     lab.settings.places = {{.scale = 0.7}};
@@ -279,7 +279,7 @@ TEST(VolumeLab, MoreModesThanThereIsRoomForAreRefused) {
 
 TEST(VolumeLab, HostileVolumesAndHandsDoNoHarm) {
     auto volume = *field::make_volume("sphere", 16, 1);
-    for (std::size_t i = 0; i < volume.samples.size(); i += 7) volume.samples[i] = std::nanf("");
+    for (std::size_t i = 0; i < volume.samples.size(); i += 7) volume.samples.floats()[i] = std::nanf("");
     auto lab = lab_of(std::move(volume));
     for (const char* name : {"gradient", "isosurface", "surface", "viscosity"}) choose(lab, name, 1e6, 100);
     for (int i = 0; i < 3000; ++i) {
@@ -325,7 +325,7 @@ TEST(VolumeLab, AnUneditedBodyKeepsItsTypeInFiles) {
 
 TEST(VolumeLab, ASurfaceBeginsWhereBodyAndAirPart) {
     auto volume = *field::make_volume("sphere", 16, 1);
-    volume.samples[0] = 3000;  // one sample is as dense as a metal filling
+    volume.samples.floats()[0] = 3000;  // one sample is as dense as a metal filling
     auto lab = lab_of(volume);
     EXPECT_NEAR(lab_mode(lab, "isosurface")->settings.level, 127.5, 20) << "the middle of the range is 1500";
     ASSERT_TRUE(add_volume_beside(lab, volume));
@@ -474,8 +474,8 @@ TEST(BodyFeel, ABallThatAppearsAroundAHandGivesItLittleAsItLeaves) {
                                            .density = 1}}};
     for (const char* device : {"premium", "omega3"}) {
         auto empty = *field::make_volume("sphere", 40, 3);
-        std::ranges::fill(empty.samples, 0.0F);
-        empty.samples[0] = 1;
+        std::ranges::fill(empty.samples.floats(), 0.0F);
+        empty.samples.floats()[0] = 1;
         auto lab = lab_of(std::move(empty), device);
         lab.data.tools = {ball};
         lab.servo.limits = haptics::safety_limits(lab.data.device, 1);

@@ -24,6 +24,18 @@ Volume scan(std::vector<float> samples) {
     return volume;
 }
 
+TEST(VoxelVolume, ABodyOfIntegersHasTheDensitiesOfFloats) {
+    std::vector<std::int16_t> samples;
+    for (int i = 0; i < 24 * 20 * 16; ++i) samples.push_back(static_cast<std::int16_t>(i * 7919));
+    Volume volume{.count = {24, 20, 16}, .spacing = vec3(0.001), .samples = samples};
+    const std::vector<float> floats = volume.samples.as_floats();
+    EXPECT_EQ(voxels_of(volume)->density, floats);
+    auto body = voxels_of(std::move(volume)).value();
+    EXPECT_EQ(body.density, floats);
+    EXPECT_EQ(body.colour.size(), floats.size());
+    EXPECT_EQ(body.material.size(), floats.size());
+}
+
 TEST(VoxelVolume, AScanGivesItsDensitiesAndItsFrame) {
     const auto body = voxels_of(scan({-1024, nan_sample, 40, 3071})).value();
     EXPECT_EQ(body.count, (std::array{2, 1, 2}));

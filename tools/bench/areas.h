@@ -42,6 +42,8 @@ void stirring_passivity(const Options& options, Report& report);
 void field(const Options& options, Report& report);
 /// Part of the area (group of benchmarks) `field`: reading volumes between their samples.
 void field_samples(const Options& options, Report& report);
+/// Reads files of samples; part of the area `field`.
+void volume_files(const Options& options, Report& report);
 /// Part of the area (group of benchmarks) `field`: edits of voxels.
 void carving(const Options& options, Report& report);
 /// Area (group of benchmarks) `surface`: surface of the brew in the cauldron.

@@ -175,6 +175,7 @@ void field(const Options& options, Report& report) {
     read_all(scalars, options, report);
     read_all(vectors, options, report);
     field_samples(options, report);
+    volume_files(options, report);
     carving(options, report);
 }
 

@@ -6,7 +6,8 @@
 namespace thaum::bench {
 
 /// Reason why this row of the report cannot be trusted, as one line with the value and its bound; empty:
-/// none. An error or a metric that is not finite always breaks an invariant.
+/// none. An error or a metric that is not finite breaks an invariant, except the infinite error of a row that
+/// may diverge.
 std::string broken_invariant(const Row& row);
 
 /// Sets `fault` of every row that breaks an invariant, and adds it to the faults of the report.

@@ -29,6 +29,8 @@ struct Times {
 struct ErrorMeasure {
     std::string name;  ///< name such as "rms_velocity"
     double value{};    ///< zero or more; not finite if the run failed
+    /// true: the method of this row is a baseline that may diverge, and an infinite error is its result.
+    bool may_diverge = false;
 };
 
 struct Row {

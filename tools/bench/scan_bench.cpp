@@ -104,6 +104,7 @@ Expected<std::unique_ptr<ScanScene>> ScanScene::create() {
                    .version = 1,
                    .count = {side, side, side},
                    .samples = std::span<const std::uint16_t>(scene->samples),
+                   .high = 65535,
                    .brick_versions = scene->versions,
                    .spacing = fvec3(0.002F),
                    .table = &scene->table};

@@ -139,26 +139,34 @@ void SampleDecoder::next_run() {
     }
 }
 
-/// Puts `count` samples of a row into the volume. The volume's vector grows only as far as these samples
-/// reach, so that the memory that it fills with zeros is still in the cache when they are written.
+/// The volume's samples, which reach to sample `last` or beyond. The vector grows only as far as they are
+/// read, so that the memory that it fills with zeros is still in the cache when they are written.
+template <class T>
+std::vector<HeldAs<T>>& SampleDecoder::samples_to(std::ptrdiff_t last) {
+    using Held = std::vector<HeldAs<T>>;
+    if (volume_.samples.empty()) {
+        std::size_t all = static_cast<std::size_t>(volume_.components);
+        for (const int n : volume_.count) all *= static_cast<std::size_t>(n);
+        auto& samples = volume_.samples.values.emplace<Held>();
+        samples.reserve(all);
+        ask_for_large_pages(samples.data(), all * sizeof(HeldAs<T>));
+    }
+    auto& samples = std::get<Held>(volume_.samples.values);
+    const auto wanted = static_cast<std::size_t>(last) + 1;
+    if (samples.size() < wanted) samples.resize(wanted);
+    return samples;
+}
+
+/// Puts `count` samples of a row into the volume.
 template <class T>
 void SampleDecoder::convert(const std::byte* from, std::ptrdiff_t count) {
     const Axis row = axes_[0];
-    auto& samples = volume_.samples;
-    const auto wanted = static_cast<std::size_t>(std::max(to_, to_ + (count - 1) * row.step)) + 1;
-    if (samples.empty()) {
-        std::size_t all = static_cast<std::size_t>(volume_.components);
-        for (const int n : volume_.count) all *= static_cast<std::size_t>(n);
-        samples.reserve(all);
-        ask_for_large_pages(samples.data(), all * sizeof(float));
-    }
-    if (samples.size() < wanted) samples.resize(wanted);
-    float* const to = samples.data() + to_;
+    auto* const to = samples_to<T>(std::max(to_, to_ + (count - 1) * row.step)).data() + to_;
     const auto put = [&](std::ptrdiff_t i, bool big_endian, std::ptrdiff_t apart, std::ptrdiff_t to_apart) {
         const auto value =
             read_sample<T>(from + i * apart * static_cast<std::ptrdiff_t>(sizeof(T)), big_endian);
         if constexpr (may_round<T>) std::get<RoundingWatch<Widest<T>>>(watches_).add(value);
-        to[i * to_apart] = static_cast<float>(value);
+        to[i * to_apart] = static_cast<HeldAs<T>>(value);
     };
     // The usual case has a loop of its own, which the compiler vectorises.
     if (row.stride == 1 && row.step == 1 && !big_endian_) {

@@ -10,6 +10,7 @@
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "core/bytes.h"
 #include "field/volume.h"
@@ -101,10 +102,12 @@ private:
     struct Axis {
         std::ptrdiff_t count{1};
         std::ptrdiff_t stride{1};  ///< distance in the file, > 0 (samples)
-        std::ptrdiff_t step{1};    ///< distance in Volume::samples (floats)
+        std::ptrdiff_t step{1};    ///< distance in Volume::samples
     };
 
     void join_axes();
+    template <class T>
+    std::vector<HeldAs<T>>& samples_to(std::ptrdiff_t last);
     template <class T>
     void convert(const std::byte* from, std::ptrdiff_t count);
     void next_run();

@@ -88,11 +88,13 @@ Bytes encode(const Volume& volume) {
     Bytes bytes(volume.samples.size() * size_of(volume.stored_as));
     with_type(volume.stored_as, [&]<class T>(T) {
         std::byte* out = bytes.data();
-        for (const float sample : volume.samples) {
-            const T value = stored_value<T>(sample);
-            std::memcpy(out, &value, sizeof(T));
-            out += sizeof(T);
-        }
+        volume.samples.visit([&](const auto& samples) {
+            for (const auto sample : samples) {
+                const T value = stored_value<T>(static_cast<float>(sample));
+                std::memcpy(out, &value, sizeof(T));
+                out += sizeof(T);
+            }
+        });
     });
     return bytes;
 }

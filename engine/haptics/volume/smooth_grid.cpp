@@ -83,18 +83,21 @@ struct SmoothLanes {
     SmoothRow row() const { return {low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]}; }
 };
 
-SmoothLanes samples_of(const float* row, const SmoothTaps& x, const field::ShownRange& shown = {}) {
+template <class T>
+SmoothLanes samples_of(const T* row, const SmoothTaps& x, const field::ShownRange& shown = {}) {
     SmoothLanes lanes;
     for (std::size_t i = 0; i < 4; ++i) {
-        lanes.low[i] = static_cast<double>(shown(row[x.offset[i]]));
-        lanes.high[i] = static_cast<double>(shown(row[x.offset[i + 4]]));
+        lanes.low[i] = static_cast<double>(shown(static_cast<float>(row[x.offset[i]])));
+        lanes.high[i] = static_cast<double>(shown(static_cast<float>(row[x.offset[i + 4]])));
     }
     return lanes;
 }
 
-SmoothLanes adjacent_samples(const float* row) {
-    using Floats4 = float __attribute__((vector_size(16)));
-    Floats4 low, high;
+template <class T>
+SmoothLanes adjacent_samples(const T* row) {
+    // Not an alias: GCC would ignore its attribute, because T is a parameter.
+    typedef T Samples4 __attribute__((vector_size(4 * sizeof(T))));
+    Samples4 low, high;
     std::memcpy(&low, row, sizeof low);
     std::memcpy(&high, row + 4, sizeof high);
     return {__builtin_convertvector(low, Doubles4), __builtin_convertvector(high, Doubles4)};
@@ -108,9 +111,8 @@ struct SmoothSums {
 
 /// Computes the sums of the samples' differences from `base`, so that equal samples give exact zeros (as in
 /// field::Grid). `lanes_of` gives the samples of a row along x.
-template <class LanesOf>
-SmoothSums sums_of(const float* first, double base, const SmoothTaps& y, const SmoothTaps& z,
-                   LanesOf lanes_of) {
+template <class T, class LanesOf>
+SmoothSums sums_of(const T* first, double base, const SmoothTaps& y, const SmoothTaps& z, LanesOf lanes_of) {
     SmoothSums sums;
     for (std::size_t k = 0; k < smooth_taps; ++k) {
         SmoothLanes value, along_y;
@@ -139,35 +141,38 @@ field::Scalar scalar_of(const SmoothSums& sums, double base, const SmoothTaps& x
     return result;
 }
 
-/// Value and gradient, from the weights along each axis.
-field::Scalar weighted_sum(const SmoothGrid& from, const SmoothTaps& x, const SmoothTaps& y,
-                           const SmoothTaps& z) {
-    const float* first = from.grid.first;
-    const float middle = first[x.offset[3] + y.offset[3] + z.offset[3]];
-    const auto as_stored = [&](const float* row) {
+/// Value and gradient, from the grid's first sample and the weights along each axis.
+template <class T>
+field::Scalar weighted_sum(const T* first, const field::ShownRange& shown, const SmoothTaps& x,
+                           const SmoothTaps& y, const SmoothTaps& z) {
+    const auto middle = static_cast<float>(first[x.offset[3] + y.offset[3] + z.offset[3]]);
+    const auto as_stored = [&](const T* row) {
         return x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
     };
     const field::Scalar result = scalar_of(sums_of(first, middle, y, z, as_stored), middle, x);
     // A sample that is not finite makes the result not finite. Only then is the result computed again, with
     // such samples replaced by what a picture shows for them; that takes longer.
     if (std::isfinite(result.value)) return result;
-    const auto as_shown = [&](const float* row) { return samples_of(row, x, from.shown); };
-    const double base = from.shown(middle);
+    const auto as_shown = [&](const T* row) { return samples_of(row, x, shown); };
+    const double base = shown(middle);
     return scalar_of(sums_of(first, base, y, z, as_shown), base, x);
 }
 
 /// Value and gradient at a place. `mirrored`: each gradient beyond the border counts as its mirror image.
 field::Scalar read(const SmoothGrid& from, vec3 place, bool mirrored) {
     const field::Grid& grid = from.grid;
-    if (grid.first == nullptr || *std::ranges::min_element(grid.count) < 1 || !is_finite(place)) return {};
+    if (!grid.has_samples() || !is_finite(place)) return {};
     const vec3 at = (place - grid.origin) / grid.spacing, per_metre = 1.0 / grid.spacing;
     SmoothTaps x = smooth_taps_at(at.x, grid.count[0], grid.stride[0], per_metre.x);
     SmoothTaps y = smooth_taps_at(at.y, grid.count[1], grid.stride[1], per_metre.y);
     SmoothTaps z = smooth_taps_at(at.z, grid.count[2], grid.stride[2], per_metre.z);
-    field::Scalar here = weighted_sum(from, x, y, z);
+    const auto sum = [&] {
+        return grid.with_samples([&](const auto* first) { return weighted_sum(first, from.shown, x, y, z); });
+    };
+    field::Scalar here = sum();
     if (!mirrored || (x.whole && y.whole && z.whole)) return here;
     for (SmoothTaps* taps : {&x, &y, &z}) mirror(*taps);
-    here.gradient = weighted_sum(from, x, y, z).gradient;
+    here.gradient = sum().gradient;
     return here;
 }
 
@@ -179,7 +184,7 @@ field::Scalar SmoothGrid::ending_level(vec3 place) const { return read(*this, pl
 
 field::SampleBox SmoothGrid::sample_box() const {
     const vec3 half = 0.5 * grid.spacing * vec3(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
-    field::SampleBox box{.bounded = grid.first != nullptr && *std::ranges::min_element(grid.count) >= 2,
+    field::SampleBox box{.bounded = grid.has_samples() && *std::ranges::min_element(grid.count) >= 2,
                          .drawn = grid,
                          .averages = averages,
                          .coarse_steps = coarse_steps,

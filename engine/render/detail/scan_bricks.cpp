@@ -28,10 +28,9 @@ struct ToDensity {
     float low, factor;
     explicit ToDensity(const Scan& scan) : low(scan.low), factor(full / (scan.high - scan.low)) {}
 
-    std::uint16_t operator()(std::uint8_t sample) const { return static_cast<std::uint16_t>(257 * sample); }
-    std::uint16_t operator()(std::uint16_t sample) const { return sample; }
-    std::uint16_t operator()(float sample) const {
-        const float at = (sample - low) * factor + 0.5F;
+    template <class Sample>
+    std::uint16_t operator()(Sample sample) const {
+        const float at = (static_cast<float>(sample) - low) * factor + 0.5F;
         // A NaN fails this form of the test and gives 0.
         return at > 0 ? static_cast<std::uint16_t>(std::min(at, full)) : std::uint16_t{0};
     }
@@ -84,7 +83,8 @@ bool drawable(const Scan& scan) {
 }
 
 std::size_t density_bytes(const Scan& scan) {
-    return std::holds_alternative<std::span<const std::uint8_t>>(scan.samples) ? 1 : 2;
+    const bool bytes = std::holds_alternative<std::span<const std::uint8_t>>(scan.samples);
+    return bytes && scan.low == 0 && scan.high == 255 ? 1 : 2;
 }
 
 void pack_density(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>& out) {

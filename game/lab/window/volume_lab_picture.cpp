@@ -146,11 +146,17 @@ std::vector<vec3> shown_places(const VolumeLab& lab, double level) {
     return places;
 }
 
-std::vector<float> lengths_of(const std::vector<float>& vectors) {
+std::vector<float> lengths_of(const field::VolumeSamples& vectors) {
     std::vector<float> lengths;
+    lengths.reserve(vectors.size() / 3);
     for (std::size_t i = 0; i + 2 < vectors.size(); i += 3)
         lengths.push_back(glm::length(fvec3(vectors[i], vectors[i + 1], vectors[i + 2])));
     return lengths;
+}
+
+/// The samples as a scan shows them.
+render::ScanSamples shown_samples(const field::VolumeSamples& samples) {
+    return samples.visit([](const auto& all) { return render::ScanSamples(std::span(all)); });
 }
 
 /// Updates the scan of the first volume to the present body.
@@ -284,7 +290,8 @@ void VolumePicture::add_scan(const VolumeRef& volume, Drawn& drawn, const Volume
     scan.colour = render::colour(0xE8DCC8);
     scan.level = static_cast<float>((view.level - double{scan.low}) / (double{scan.high} - double{scan.low}));
     scan.version = 1;
-    scan.samples = std::span<const float>(drawn.lengths.empty() ? volume.source.samples : drawn.lengths);
+    scan.samples = shown_samples(volume.source.samples);
+    if (!drawn.lengths.empty()) scan.samples = std::span<const float>(drawn.lengths);
     scans_.push_back(scan);
 }
 

@@ -112,6 +112,10 @@ double way_to_end(vec3 place, vec3 along, vec3 half) {
 /// which the picture shows it.
 double shown_value(const field::SampleBox& box, vec3 at) {
     const field::Grid& grid = box.drawn;
+    const auto shown = [&](std::ptrdiff_t offset) {
+        return grid.with_samples(
+            [&](const auto* first) { return double{box.shown(static_cast<float>(first[offset]))}; });
+    };
     double sum = 0;
     for (int corner = 0; corner < 8; ++corner) {
         double weight = 1;
@@ -123,7 +127,7 @@ double shown_value(const field::SampleBox& box, vec3 at) {
             weight *= high == 1 ? x - low : 1 - (x - low);
             offset += (low + high) * grid.stride[n];
         }
-        if (weight > 0) sum += weight * static_cast<double>(box.shown(grid.first[offset]));
+        if (weight > 0) sum += weight * shown(offset);
     }
     return sum;
 }
@@ -186,7 +190,7 @@ double BodySearch::inside(vec3 place) {
     if (!in_box(place)) return -HUGE_VAL;
     ++contact_.reads;
     double value = 0;
-    if (box_.drawn.first != nullptr) {
+    if (box_.drawn.has_samples()) {
         const vec3 at = samples_per_metre_ * (place + half_);
         value = box_.drawn.linear_value(at.x, at.y, at.z);
         if (!std::isfinite(value)) value = shown_value(box_, at);
@@ -213,7 +217,7 @@ std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     field::Scalar here = surface_.field(to_reader(place));
     here.gradient = here.gradient * box_.placement.turn;
     auto fine = slope_of(here);
-    if (!fine || box_.averages.first == nullptr) return fine;
+    if (!fine || !box_.averages.has_samples()) return fine;
     const double by_place = averages_share(box_, to_samples(place));
     if (by_place == 0) return fine;
     const SmoothGrid averages{.grid = box_.averages, .shown = box_.shown};
@@ -407,7 +411,7 @@ std::optional<BodySearch::Found> BodySearch::entering(vec3 place, double at_plac
 /// The place where a straight way along the gradient of the drawn samples leaves the body. It serves in a
 /// crevice of a few samples, where the smooth field may lead deeper into the body.
 std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double at_place) {
-    if (box_.drawn.first == nullptr) return std::nullopt;
+    if (!box_.drawn.has_samples()) return std::nullopt;
     ++contact_.reads;
     const field::Scalar drawn = box_.drawn(to_samples(place));
     const double length = glm::length(drawn.gradient);
