@@ -73,7 +73,7 @@ Expected<Voxels> body_of(const Volume& volume, std::optional<DensityRange> range
 }
 
 /// Gives a body its voxels, which are white and of material 0.
-void fill(Voxels& body, std::vector<float> density) {
+void fill_voxels(Voxels& body, std::vector<float> density) {
     body.colour.assign(density.size(), Rgb8{255, 255, 255});
     body.material.assign(density.size(), 0);
     body.density = std::move(density);
@@ -83,13 +83,13 @@ void fill(Voxels& body, std::vector<float> density) {
 
 Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range) {
     auto body = body_of(volume, range);
-    if (body) fill(*body, volume.samples.as_floats());
+    if (body) fill_voxels(*body, volume.samples.as_floats());
     return body;
 }
 
 Expected<Voxels> voxels_of(Volume&& volume, std::optional<DensityRange> range) {
     auto body = body_of(volume, range);
-    if (body) fill(*body, std::move(volume.samples.floats()));
+    if (body) fill_voxels(*body, std::move(volume.samples.floats()));
     return body;
 }
 

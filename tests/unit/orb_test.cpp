@@ -51,7 +51,7 @@ TEST(OrbRules, AFaultNamesItsLine) {
     EXPECT_NE(fault_after("[6, 0, 24, 0.9]", "[6, 0, 24]").find("pairs"), std::string::npos);
     EXPECT_NE(fault_after("[6, 0, 24, 0.9]", "[24, 0, 6, 1]").find("left of"), std::string::npos);
     EXPECT_NE(fault_after("hold_s = 1.5", "hold_s = -1").find("hold_s"), std::string::npos);
-    EXPECT_NE(fault_after("health = 25", "helth = 25").find("orb.toml:"), std::string::npos);
+    EXPECT_NE(fault_after("points = 25", "piints = 25").find("orb.toml:"), std::string::npos);
 }
 
 TEST(OrbRules, OnlyAnArenaWithAnOrbHasThem) {
