@@ -26,7 +26,9 @@ void note_balance(const Match& match, const RoundCount& count, LeagueMatch& resu
 
 void note_round_end(const Match& match, LeagueMatch& result) {
     result.lengths[result.rounds] = match.played - match.round_began;
-    result.timed_out[result.rounds] = match.ending == Ending::time || match.ending == Ending::boil_over ? 1 : 0;
+    result.timed_out[result.rounds] =
+        match.ending == Ending::time || (match.ending == Ending::boil_over && match.winner >= players) ? 1
+                                                                                                       : 0;
     ++result.rounds;
 }
 

@@ -79,8 +79,8 @@ struct LeagueSummary {
     /// Matches won by player 0 and by player 1. In a fair arena both win equally often, since every seed is
     /// played with each of the two bots in both seats.
     std::array<std::uint32_t, players> seat_wins{};
-    std::vector<double> round_s;                    ///< lengths of all rounds, sorted (s)
-    std::uint32_t timed_out{};                      ///< number of rounds that ended because their time was up
+    std::vector<double> round_s;  ///< lengths of all rounds, sorted (s)
+    std::uint32_t timed_out{};    ///< number of rounds that no death decided before their time was up
     std::array<std::uint32_t, max_causes> kills{};  ///< kills by cause
     std::uint32_t own_deaths{};                     ///< deaths for which no player is credited with a kill
     BalanceSums balance{};

@@ -55,6 +55,9 @@ struct Stance : physics::MoverState {
     THAUM_COMPONENT(Stance, expected, ground_normal, falling, grounded, driven, rope_lift, loose_until);
 };
 
+/// Health that no wizard reaches (HP).
+inline constexpr double no_health_limit = 1e6;
+
 struct Health {
     double points{};           ///< health that the wizard has left (HP)
     Tick shielded_until{};     ///< tick before which nothing hurts the wizard, after a return to life
@@ -62,15 +65,17 @@ struct Health {
     std::uint32_t hurt_by{};   ///< player who last hurt the wizard; no_player: none
     std::uint32_t hurt_how{};  ///< how the wizard was last hurt, an EventKind
     Tick foe_did_at{};         ///< tick at which the foe last hurt or pushed the wizard; 0: never
-    double surge{1};           ///< factor on the harm that the other player does to the wizard now
-    double ward{};             ///< harm that the wizard's shield can still absorb (HP)
-    Tick ward_until{};         ///< tick of play at which the Shield spell ends
-    double poison{};           ///< harm by poison for each second, until `poisoned_until` (HP/s)
+    /// Largest health that the wizard may have now, if less than that of the data: in the Boil-over (HP)
+    double limit{no_health_limit};
+    double surge{1};    ///< factor on the harm that the other player does to the wizard now
+    double ward{};      ///< harm that the wizard's shield can still absorb (HP)
+    Tick ward_until{};  ///< tick of play at which the Shield spell ends
+    double poison{};    ///< harm by poison for each second, until `poisoned_until` (HP/s)
     Tick poisoned_until{};
     std::uint32_t poisoned_by{};  ///< player who poisoned the wizard
     std::uint32_t spare{};
-    THAUM_COMPONENT(Health, points, shielded_until, hurt_at, hurt_by, hurt_how, foe_did_at, surge, ward,
-                    ward_until, poison, poisoned_until, poisoned_by, spare);
+    THAUM_COMPONENT(Health, points, shielded_until, hurt_at, hurt_by, hurt_how, foe_did_at, limit, surge,
+                    ward, ward_until, poison, poisoned_until, poisoned_by, spare);
 };
 
 /// State of a dead wizard.

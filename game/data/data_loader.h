@@ -47,7 +47,8 @@ public:
     std::vector<std::string> names_in(const std::string& folder);
 
     /// Names of all files of a folder in which each kind of the program has a file of its own name. Those come
-    /// first, in the order of their names, and stand here even if they are missing.
+    /// first, in the order of their names, and stand here even if they are missing, unless the choice leaves them
+    /// out.
     template <class Kind>
     std::vector<std::string> names_of_kinds(const std::vector<Kind>& kinds, const std::string& folder) {
         std::vector<std::string> names;

@@ -44,7 +44,7 @@ Expected<void> number_effects(MatchData& data) {
     data.effects.clear();
     for (std::uint32_t i = 0; i < data.recipes.size(); ++i)
         number_list(data, data.recipes[i].effects, data.recipes[i].name, i);
-    for (auto& spell : data.spells) number_list(data, spell.effects, spell.kind->name);
+    for (auto& spell : data.spells) number_list(data, spell.effects, spell.name);
     for (std::size_t i = 0; i < power_up_names.size(); ++i)
         number_list(data, data.rules.power_ups[i].effects, power_up_names[i]);
     if (data.orb) number_list(data, data.orb->effects, "orb");

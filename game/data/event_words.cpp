@@ -34,7 +34,7 @@ std::string effect_words(const Event& event, const BrewWords& brew) {
 }
 
 std::string spell_words(const Event& event, const Presentation& shown) {
-    return event.detail < shown.spells.size() ? capitalised(shown.spells[event.detail].name) : std::string();
+    return event.detail < shown.spells.size() ? shown.spells[event.detail].shown : std::string();
 }
 
 std::string word_of(EventWord word, const Event& event, const PlayerNames& names, const Presentation& shown,

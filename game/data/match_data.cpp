@@ -353,6 +353,7 @@ void load_crystal(MatchData& data, DataLoader& loader) {
 /// set.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
+    data.round.boil_over.health = std::min(data.round.boil_over.health, data.wizard.health);
     if (!data.rules.surges) {
         data.round.surges.clear();
         data.round.boil_over = {};

@@ -61,7 +61,7 @@ struct MatchData {
     /// Gestures of assets/gestures. Empty if the rule set has no spells.
     std::shared_ptr<const GestureSet> gestures;
     std::optional<CastingRules> casting;
-    /// Spells, in the same order as wands. A spell's number is its index here.
+    /// Spells, sorted as the wands are. A spell's number is its index here.
     std::vector<LoadedSpell> spells;
     /// The effects of all lists: of potions, spells, power-ups, the orb and crystals, by their numbers.
     std::vector<ListedEffect> effects;

@@ -39,6 +39,8 @@ const Kind* kind_of_file(const std::vector<Kind>& kinds, const ConfigTable& root
     const auto wanted = root.string("kind", name);
     std::string all;
     for (const auto& kind : kinds) {
+        if (kind.name == name && name != wanted)
+            root.report("kind", text("'kind' is '", wanted, "', but the file has the name of another kind"));
         if (kind.name == wanted) return &kind;
         all += text(all.empty() ? "" : ", ", kind.name);
     }

@@ -13,10 +13,18 @@ std::vector<Surge> read_surges(const ConfigTable& table) {
     std::vector<Surge> surges;
     for (const auto& name : table.keys()) {
         const auto surge = table.table(name);
-        surges.push_back({ticks(surge.number("after_s", {0, 36000})), surge.number("factor", {0, 100})});
+        surges.push_back({ticks(surge.number("after_s", {0, 36000})), surge.number("factor", {1, 100})});
+        const bool is_taken = std::ranges::count(surges, surges.back().after, &Surge::after) > 1;
+        if (is_taken) surge.report("after_s", "'after_s' is that of another surge");
     }
-    std::ranges::stable_sort(surges, {}, &Surge::after);
+    std::ranges::sort(surges, {}, &Surge::after);
     return surges;
+}
+
+BoilOverRules read_boil_over(const ConfigTable& table) {
+    const Tick length = ticks(table.number("seconds", {0, 3600}, 0));
+    if (length == 0) return {.health = table.number("health", {1, 1e6}, 1)};
+    return {.length = length, .health = table.number("health", {1, 1e6})};
 }
 
 }  // namespace
@@ -24,7 +32,6 @@ std::vector<Surge> read_surges(const ConfigTable& table) {
 RoundRules read_round_rules(const Config& file) {
     const auto root = file.root();
     const Range duration{0, 3600};
-    const auto boil_over = root.table("boil_over");
     return {.kills = static_cast<std::int32_t>(root.integer("kills", {1, 1000})),
             .length = ticks(root.number("seconds", {1, 36000})),
             .rounds = static_cast<std::uint32_t>(root.integer("rounds", {1, 99})),
@@ -32,8 +39,7 @@ RoundRules read_round_rules(const Config& file) {
             .respawn = ticks(root.number("respawn_s", duration)),
             .spawn_shield = ticks(root.number("spawn_shield_s", duration)),
             .surges = read_surges(root.table("surge")),
-            .boil_over = {.length = ticks(boil_over.number("seconds", duration, 0)),
-                          .health = boil_over.number("health", {1, 1e6}, 1)}};
+            .boil_over = read_boil_over(root.table("boil_over"))};
 }
 
 double surge_at(const RoundRules& rules, Tick age) {

@@ -1,6 +1,7 @@
 // game/data/rules.h: rules of rounds, wizards and hands, read from data files (assets/rules, assets/wizards,
 // assets/haptics.toml).
 #pragma once
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/units.h"
 #include "game/components/match.h"
 #include "game/components/power_up.h"
+#include "game/components/wizard.h"
 #include "game/data/effect.h"
 #include "physics/mover.h"
 
@@ -22,8 +24,10 @@ struct Surge {
 
 /// Time that a round is prolonged by if its kills are equal at the end. The next death decides it.
 struct BoilOverRules {
-    Tick length{};    ///< longest time (ticks); 0: such a round is a draw at once
-    double health{};  ///< health of both wizards at the beginning, and their largest health meanwhile (HP)
+    Tick length{};  ///< longest time (ticks); 0: such a round is a draw at once
+    /// Health of both wizards at the beginning, and their largest health meanwhile (HP); at most that of a new
+    /// wizard
+    double health{};
 };
 
 /// Rules of rounds, which give a match its length: from assets/rules/quick.toml, standard.toml or another
@@ -57,7 +61,7 @@ struct RuleSet {
     bool aim_assist = true;  ///< true: players may have aim assist (game/context/aim_assist.h)
     bool cauldron = true;    ///< true: a bowl in the arena holds a brew
     bool spells = true;      ///< true: strokes cast spells
-    bool surges = true;      ///< true: the end of a round comes nearer by mana surges and Boil-over
+    bool surges = true;      ///< true: rounds have mana surges and a Boil-over
     std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 
@@ -84,6 +88,14 @@ struct WizardRules {
     Tick blame{};
     double pitch_limit{};  ///< largest angle of view above or below the horizon (rad)
 };
+
+/// Health of a wizard who is well, above which health falls back, and largest health (HP).
+inline double full_health(const WizardRules& rules, const Health& health) {
+    return std::min(rules.health, health.limit);
+}
+inline double largest_health(const WizardRules& rules, const Health& health) {
+    return std::min(rules.health_cap, health.limit);
+}
 
 /// Contact of the wand's tip with surfaces, as felt at the device.
 struct ProbeRules {

@@ -40,6 +40,7 @@ struct LookPart {
     bool mirrored{};      ///< true: the part appears on both sides, at x and -x
     LookPaint paint{};
     std::uint32_t colour{};  ///< colour as sRGB 0xRRGGBB if `paint` is fixed
+    bool operator==(const LookPart&) const = default;
 };
 
 /// Look of one wand and of its missiles.
@@ -49,6 +50,7 @@ struct WandLook {
     std::string steady_force = "Pull";  ///< display name of the wand's steady force on the hand
     /// Parts of the missile, which flies towards +z. Missile::size scales them unless it is 0.
     std::vector<LookPart> missile;
+    bool operator==(const WandLook&) const = default;
 };
 
 /// Reads the table `look`. Reports faults at their keys.

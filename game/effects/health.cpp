@@ -18,7 +18,7 @@ public:
     }
     double gain(const EffectUse& use) const override {
         const auto& health = std::as_const(use.context.world).get<Health>(use.wizard);
-        const double room = use.context.data.wizard.health_cap - health.points;
+        const double room = largest_health(use.context.data.wizard, health) - health.points;
         return std::max(0.0, std::min(points_ * use.strength, room));
     }
     double worth(const BotNeeds& needs) const override { return needs.health * std::sqrt(points_ / usual); }

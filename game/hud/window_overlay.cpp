@@ -23,8 +23,8 @@ std::string clock_left(double seconds_left) {
 
 std::string goal_line(const Picture& picture) {
     if (picture.boils_over) return "Boil-over: next to fall loses";
-    if (picture.surge > 1) return text("mana surge: harm ×", fixed(picture.surge, 1));
     auto goal = text("first to ", picture.kills_to_win);
+    if (picture.surge > 1) goal += text(", mana \u00D7", picture.surge);
     if (picture.rounds <= 1) return goal;
     return text("rounds ", picture.rounds_won[0], " : ", picture.rounds_won[1], ", ", goal);
 }

@@ -133,11 +133,17 @@ ArenaScene arena_scene_of(render::Renderer& renderer, const MatchData& data) {
     return make_arena_scene(renderer, data);
 }
 
+/// Tests whether the same meshes show both lists of wands and their missiles.
+bool same_looks(const std::vector<WandPresentation>& a, const std::vector<WandPresentation>& b) {
+    return std::ranges::equal(a, b, {}, &WandPresentation::look, &WandPresentation::look);
+}
+
 /// Tests whether both data sets make the same arena scene.
 bool same_scenery(const MatchData& a, const MatchData& b) {
     return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes && a.look == b.look &&
            a.wizard.height == b.wizard.height && a.orb.has_value() == b.orb.has_value() &&
-           a.crystal.has_value() == b.crystal.has_value();
+           a.crystal.has_value() == b.crystal.has_value() &&
+           same_looks(a.presentation->wands, b.presentation->wands);
 }
 
 /// Makes the arena scene of the newest data. Meshes cannot be freed, so another arena needs another renderer.

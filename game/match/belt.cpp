@@ -32,6 +32,7 @@ void choose(const MatchData& data, const Controls& controls, bool wheel_is_taken
 
 void regain(const MatchData& data, WandBelt& belt) {
     for (const auto& wand : data.wands) {
+        if (wand.stats.energy_slot != wand.stats.slot) continue;  // the wand whose energy it is regains it
         auto& energy = belt.energy[wand.stats.energy_slot];
         energy = std::min(wand.stats.energy_cap, energy + wand.stats.energy_regain * gameplay_dt);
     }

@@ -29,7 +29,7 @@ WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt
     belt.venom_lasts = old.venom_lasts;
     for (const auto& wand : to.wands) {
         const auto before = std::find_if(from.wands.begin(), from.wands.end(),
-                                         [&](const auto& w) { return w.kind == wand.kind; });
+                                         [&](const auto& w) { return w.name == wand.name; });
         if (before == from.wands.end()) continue;
         belt.energy[wand.stats.energy_slot] =
             std::min(old.energy[before->stats.energy_slot], wand.stats.energy_cap);

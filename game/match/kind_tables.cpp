@@ -1,6 +1,8 @@
 #include "game/match/kind_tables.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "core/one_line.h"
 #include "core/text.h"
@@ -61,14 +63,19 @@ std::vector<KindTable> kind_tables(const MatchData& data) {
 }
 
 std::string kind_difference(const std::vector<KindTable>& recorded, const std::vector<KindTable>& here) {
-    for (const auto& table : recorded) {
-        for (const auto& kind : table.kinds) {
-            const auto current = kind_in_words(table_of(here, table.group), kind.number);
-            const auto there = kind_in_words(&table, kind.number);
-            if (there != current)
-                return text(in_one_line(table.group), " ", kind.number, " is ", there, " in the log and ",
-                            current, " in this program: replay the log with the program that recorded it");
-        }
+    std::set<std::pair<std::string, std::uint16_t>> numbers;
+    const auto add_all = [&](const KindTable& table) {
+        for (const auto& kind : table.kinds) numbers.emplace(table.group, kind.number);
+    };
+    for (const auto& table : recorded) add_all(table);
+    for (const auto& table : here)
+        if (table.group == "event" || table.group == "cause") add_all(table);
+    for (const auto& [group, number] : numbers) {
+        const auto there = kind_in_words(table_of(recorded, group), number);
+        const auto current = kind_in_words(table_of(here, group), number);
+        if (there != current)
+            return text(in_one_line(group), " ", number, " is ", there, " in the log and ", current,
+                        " in this program: replay the log with the program that recorded it");
     }
     return {};
 }

@@ -13,7 +13,8 @@ namespace thaum::game::inline match {
 std::vector<input::KindTable> kind_tables(const MatchData& data);
 
 /// First kind of a log's tables whose number means another kind in this program, in one line; empty if there is
-/// none. Kinds that only this program has are no difference, because no state of the log contains them.
+/// none. Further wands, spells, potions and the like are no difference, because
+/// no state of the log contains them; further events are, because this program may record them.
 std::string kind_difference(const std::vector<input::KindTable>& recorded,
                             const std::vector<input::KindTable>& here);
 

@@ -32,17 +32,6 @@ std::uint32_t killer_of(const Wizard& wizard, const Health& health, Tick blame, 
     return health.hurt_by >= players && foes_deed ? 1 - wizard.player : health.hurt_by;
 }
 
-struct HealthLimits {
-    double start{};  ///< health of a wizard who returns to life; health above it falls back (HP)
-    double cap{};    ///< largest health (HP)
-};
-
-HealthLimits health_limits(const MatchContext& context) {
-    if (context.world.single<Match>().boils_over_since == 0)
-        return {context.data.wizard.health, context.data.wizard.health_cap};
-    return {context.data.round.boil_over.health, context.data.round.boil_over.health};
-}
-
 void die(MatchContext& context, ecs::Entity e, const Wizard& wizard, const Health& health,
          const Motion& motion, Tick tick) {
     auto& world = context.world;
@@ -64,9 +53,10 @@ void return_to_life(MatchContext& context, ecs::Entity e, const Wizard& wizard, 
     const auto foe = wizard_of(world, 1 - wizard.player);
     const auto& const_world = std::as_const(world);
     const auto pad = farthest_pad(world, const_world.get<Motion>(foe).position);
-    health = {.points = health_limits(context).start,
+    health = {.points = full_health(context.data.wizard, health),
               .shielded_until = tick + context.data.round.spawn_shield,
               .hurt_by = no_player,
+              .limit = health.limit,
               .surge = health.surge};
     world.get<Motion>(e) = standing_at(context.data.wizard, pad.feet);
     world.get<Gaze>(e) = {pad.yaw, 0};
@@ -101,17 +91,17 @@ void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
     writes |= world.mask<Health, Score>();
     schedule.add({.name = "deaths",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Motion, Dead, Match>(),
+                  .reads = world.mask<Wizard, Motion, Dead>(),
                   .writes = writes,
                   .needs = world.mask<Health>(),
                   .run = [&context](ecs::World& w, Tick tick) {
-                      const auto limits = health_limits(context);
+                      const auto& rules = context.data.wizard;
                       const double loss = context.data.wizard.excess_loss * gameplay_dt;
                       w.view<const Wizard, Health, const Motion, ecs::Without<Dead>>().each(
                           [&](ecs::Entity e, const Wizard& wizard, Health& health, const Motion& motion) {
-                              if (health.points > limits.start)
-                                  health.points = std::max(limits.start, health.points - loss);
-                              health.points = std::min(health.points, limits.cap);
+                              const double full = full_health(rules, health);
+                              if (health.points > full) health.points = std::max(full, health.points - loss);
+                              health.points = std::min(health.points, largest_health(rules, health));
                               if (health.points <= 0) {
                                   health.points = 0;
                                   die(context, e, wizard, health, motion, tick);
@@ -121,7 +111,7 @@ void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "resurrection",
          .period = gameplay_period,
-         .reads = world.mask<Wizard, Pad, Dead, Match>(),
+         .reads = world.mask<Wizard, Pad, Dead>(),
          .writes =
              world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, Focus, EventLog, resource::Journal>(),
          .needs = world.mask<Dead>(),

@@ -101,8 +101,10 @@ void surge(MatchContext& context, Tick age, Tick tick) {
 void boil_over(MatchContext& context, Tick tick) {
     const auto& rules = context.data.round.boil_over;
     context.world.single<Match>().boils_over_since = std::max<Tick>(tick, 1);
-    context.world.view<const Wizard, Health, ecs::Without<Dead>>().each(
-        [&](const Wizard&, Health& health) { health.points = rules.health; });
+    context.world.view<const Wizard, Health>().each([&](ecs::Entity wizard, const Wizard&, Health& health) {
+        health.limit = rules.health;
+        if (!context.world.has<Dead>(wizard)) health.points = rules.health;
+    });
     tell_both(context, round_tied.kind(), seconds(rules.length), tick);
 }
 

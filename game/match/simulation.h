@@ -18,7 +18,7 @@ namespace thaum::game::inline match {
 
 /// Version of the rules. It changes whenever the same input would lead to another state. CHANGELOG.md
 /// gives the reasons.
-inline constexpr std::uint32_t rules_version = 29;
+inline constexpr std::uint32_t rules_version = 30;
 
 struct MatchSetup {
     std::uint64_t seed = 1;

@@ -365,7 +365,7 @@ void take_round(const Simulation& match, Picture& out) {
     out.played_s = seconds(m.played);
     const auto end = round_ends_at(rules, m);
     out.left_s = end > m.played ? seconds(end - m.played) : 0;
-    out.boils_over = m.boils_over_since != 0;
+    out.boils_over = m.phase == Phase::playing && m.boils_over_since != 0;
     out.surge = m.phase == Phase::playing ? surge_at(rules, m.played - m.round_began) : 1;
     out.phase = m.phase;
     out.ending = m.ending;

@@ -12,7 +12,7 @@
 namespace thaum::game::inline picture {
 
 struct WandPicture {
-    std::string_view name;   ///< kind of the wand in hand; empty: none
+    std::string_view name;   ///< name of the wand in hand; empty: none
     std::uint32_t number{};  ///< index of the wand in hand in Presentation::wands
     double energy{}, energy_cap{};
     std::array<double, input::max_wands> charges{};  ///< energy of each wand of Presentation::wands

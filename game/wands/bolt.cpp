@@ -4,6 +4,7 @@
 // A bolt in flight is a point on a straight line. In each physics step, after the bodies have moved, a ray is
 // cast along its path. So a bolt cannot pass through anything, however thin, and points of impact are exact.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "game/components/crystal.h"
@@ -42,7 +43,7 @@ struct Bolt {
 
 /// State of the bolt wand in a wizard's hand.
 struct BoltHand {
-    Tick next_shot{};
+    std::array<Tick, wand_slots> next_shot{};  ///< by the slot of the wand
     THAUM_COMPONENT(BoltHand, next_shot);
 };
 
@@ -89,15 +90,15 @@ void shoot(const WandUse& use, const BoltData& data) {
 void fire(const WandUse& use, const BoltData& data) {
     auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
-    auto& hand = world.get<BoltHand>(use.wizard);
-    if (!holds_fire(controls) || use.tick < hand.next_shot) return;
+    auto& next_shot = world.get<BoltHand>(use.wizard).next_shot.at(use.stats.slot);
+    if (!holds_fire(controls) || use.tick < next_shot) return;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats, use.stats.energy_cost)) {
         if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
     // Shots are possible only in gameplay ticks (every eighth). The time of the next shot follows from the
     // time at which the last one was due, not from when it was made, so the rate is exact on average.
-    hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
+    next_shot = std::max(next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
     shoot(use, data);
 }
 

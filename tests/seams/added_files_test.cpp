@@ -24,10 +24,10 @@ std::string replaced(std::string words, std::string_view from, std::string_view 
     return words.replace(at, from.size(), to);
 }
 
-/// The file of a wand of the kind "bolt" that harms more and shoots seldom, on key 6.
+/// The file of a wand of the kind "bolt" that shoots seldom and slowly, on key 6.
 std::string arrow_toml() {
     auto words = replaced(words_of(assets() / "wands/bolt.toml"), "slot = 1", "slot = 6\nkind = \"bolt\"");
-    words = replaced(words, "damage = 6", "damage = 17");
+    words = replaced(words, "per_s = 8", "per_s = 0.2");
     words = replaced(words, "speed_m_s = 40", "speed_m_s = 20");
     const auto event = words.find("[event.bolt_hit]"), sound = words.find("[sound]");
     return words.erase(event, sound - event);
@@ -126,12 +126,22 @@ TEST(AddedFiles, MissilesOfTwoWandsOfAKindKeepTheirOwnNumbers) {
     EXPECT_EQ(play.missiles("arrow"), 1U);
     EXPECT_EQ(play.missiles("bolt"), 0U);
     EXPECT_NEAR(speed_of("arrow"), 20, 1e-9);
+    const auto place_of = [&] {
+        vec3 place{};
+        wand_of(play.match.data(), "arrow").rules->show(play.match.world(), [&](const Missile& missile) {
+            place = missile.position;
+        });
+        return place;
+    };
+    const auto before = place_of();
+    play.run(100);
+    EXPECT_NEAR(glm::distance(place_of(), before), 2, 1e-9) << "it flies once a step, not once a wand";
     play.frame = {};
     play.frame.devices[0].wand = 1;
-    play.run(200);
+    play.run(16);
     play.frame.devices[0].press(Button::fire);
     play.run(16);
-    EXPECT_EQ(play.missiles("arrow"), 1U) << "it flies on, once a step";
+    EXPECT_EQ(play.missiles("arrow"), 1U);
     EXPECT_EQ(play.missiles("bolt"), 1U);
     EXPECT_NEAR(speed_of("bolt"), 40, 1e-9);
     const auto slot = wand_of(play.match.data(), "arrow").stats.slot;
@@ -215,6 +225,9 @@ TEST(AddedFiles, MistakesAreToldAtTheirLine) {
               std::string::npos);
     EXPECT_NE(fault_of("spells", "veil.toml", replaced(veil_toml(), "kind = \"shield\"", "kind = \"swing\""))
                   .find("'swing', which is no kind of spell"),
+              std::string::npos);
+    EXPECT_NE(fault_of("wands", "lob.toml", replaced(arrow_toml(), "slot = 6", "slot = 3"))
+                  .find("'kind' is 'bolt', but the file has the name of another kind"),
               std::string::npos);
     EXPECT_NE(fault_of("wands", "Arrow.toml", arrow_toml()).find("the name of a data file"),
               std::string::npos);

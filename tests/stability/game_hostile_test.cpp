@@ -139,8 +139,10 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
                   t.back().kinds.push_back({6, "hail\x1b[2J\n"});
               }),
               text("wand 6 is 'hail\\x1b[2J ' in the log and nothing in this program", advice));
-    EXPECT_EQ(refusal([](Tables& t) { t[0].kinds.erase(t[0].kinds.begin()); }), "accepted")
-        << "no state of the log has a kind that only this program knows";
+    EXPECT_EQ(refusal([](Tables& t) { t[0].kinds.erase(t[0].kinds.begin()); }),
+              text("cause 0 is nothing in the log and 'bolt' in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) { t.pop_back(); }), "accepted")
+        << "no state of the log has a wand that only this program has";
     EXPECT_EQ(refusal([](Tables& t) { std::swap(t[2].kinds[0].name, t[2].kinds[1].name); }),
               text("ingredient 0 is '", header.kinds[2].kinds[1].name, "' in the log and '",
                    header.kinds[2].kinds[0].name, "' in this program", advice));

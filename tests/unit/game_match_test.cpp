@@ -122,6 +122,8 @@ TEST(GameRules, BothFallInTheBoilOverAndItGoesOnWithTheSameHealth) {
     world.get<Health>(wizard_of(world, 0)).points = 80;
     run(8);
     EXPECT_EQ(world.get<Health>(wizard_of(world, 0)).points, 30) << "nothing gives more";
+    const auto glass = duel_data({"wizard.health.start=20"});
+    EXPECT_EQ(glass->round.boil_over.health, 20) << "nobody is healed by it";
     strike_both();
     run(200);
     EXPECT_EQ(match.match().phase, Phase::playing) << "equal kills decide nothing";

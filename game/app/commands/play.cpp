@@ -31,9 +31,9 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
                    arms by number in `thaum doctor`. Arms also go with the start screen
   --bots A,B       bots of --demo and --headless, by name or level (1,1)
 
-  --rules NAME     thaum (default), or classic: wands regain nothing, no shield
+  --rules NAME     thaum (default), or classic: no regain, shield or surge
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
-                   each first to 5, 6 min; a tied round counts for nobody
+                   each first to 5, 6 min
   --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12
   --mutator NAME   low_gravity, fog, or another file in assets/mutators; may be repeated
   --arena NAME     boiling_court (default), the_well, or another file in assets/arenas

@@ -222,11 +222,11 @@ void grant_boon(MatchContext& context, Cauldron& cauldron, Tick tick) {
 /// Health grows at most up to that of a new wizard.
 void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     if (tick >= cauldron.boon_until) return;
-    const double full = context.data.wizard.health;
     const double gain = context.data.cauldron->boon.healing * gameplay_dt;
     context.world.view<const Wizard, const Motion, Health, ecs::Without<Dead>>().each(
         [&](const Wizard& wizard, const Motion& motion, Health& health) {
             if (wizard.player != cauldron.boon_for || !near(context.data, cauldron, motion.position)) return;
+            const double full = full_health(context.data.wizard, health);
             if (health.points < full) health.points = std::min(full, health.points + gain);
         });
 }
