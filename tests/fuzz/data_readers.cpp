@@ -13,6 +13,8 @@ namespace thaum::fuzz {
 namespace {
 
 constexpr Tick played = 40;
+/// The shipped files. Those in the scratch folder (Places) change.
+const std::filesystem::path shipped_assets = std::filesystem::path(THAUM_SOURCE_DIR) / "assets";
 
 std::string must_read(const std::filesystem::path& file) {
     auto content = read_text_file(file, 1U << 20U);
@@ -85,13 +87,27 @@ Outcome read_as(const std::string& input, const Places& places) {
     return read_match_file(name, input, places);
 }
 
+/// The shipped data of a match, read once: reading it takes most of the time of a run.
+const Expected<std::shared_ptr<const game::MatchData>>& shipped_match() {
+    static const auto shipped = []() -> Expected<std::shared_ptr<const game::MatchData>> {
+        auto data = game::load_match_data(shipped_assets, {});
+        if (!data) return data.error();
+        return std::make_shared<const game::MatchData>(std::move(*data));
+    }();
+    return shipped;
+}
+
+/// The shipped practice range, read once.
+const auto& shipped_range() {
+    static const auto shipped = game::load_range(shipped_assets, {});
+    return shipped;
+}
+
 Outcome read_bot(const std::string& input, const Places& places) {
+    const auto& data = shipped_match();
+    if (!data) return {.fault = data.error().message};
     return with_file(places.assets / bot, input, [&]() -> Outcome {
-        auto data = game::load_match_data(places.assets, {});
-        if (!data) return {.fault = data.error().message};
-        auto duel =
-            game::make_bot_duel(places.assets, std::make_shared<const game::MatchData>(std::move(*data)),
-                                {"level_1", "level_1"}, 1);
+        auto duel = game::make_bot_duel(places.assets, *data, {"level_1", "level_1"}, 1);
         if (!duel) return {.refusal = duel.error().message};
         duel->run(played);
         return {.accepted = true};
@@ -100,7 +116,7 @@ Outcome read_bot(const std::string& input, const Places& places) {
 
 /// Plays every kind of dummy on one practice range, then continues it with the shipped data.
 Outcome read_range(const std::string& input, const Places& places) {
-    const auto sound = game::load_range(std::filesystem::path(THAUM_SOURCE_DIR) / "assets", {});
+    const auto& sound = shipped_range();
     if (!sound) return {.fault = sound.error().message};
     return with_file(places.assets / range, input, [&]() -> Outcome {
         const auto data = game::load_range(places.assets, {});
@@ -120,10 +136,10 @@ Outcome read_range(const std::string& input, const Places& places) {
 }
 
 /// Plays the lessons for a while, then skips through them.
-Outcome read_lessons(const std::string& input, const Places& places) {
+Outcome read_lessons(const std::string& input, const Places&) {
     auto lessons = game::parse_lessons(input, "apprentice.toml");
     if (!lessons) return {.refusal = lessons.error().message};
-    const auto data = game::load_range(places.assets, {});
+    const auto& data = shipped_range();
     if (!data) return {.fault = data.error().message};
     auto range =
         game::make_range(*data, game::bot_device(game::practising, "level_1"), game::DummyKind::still, 1);

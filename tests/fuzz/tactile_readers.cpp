@@ -57,7 +57,7 @@ Outcome read_layout_file(const std::string& input, const Places&) {
     if (!config) return {.refusal = config.error().message};
     const auto layout = tactile::read_layout(*config);
     if (!layout) return {.refusal = layout.error().message};
-    const auto bank = tactile::load_effects(tactile_folder / "effects");
+    static const auto bank = tactile::load_effects(tactile_folder / "effects");
     return bank ? outcome_of_playing(*layout, *bank) : Outcome{.fault = bank.error().message};
 }
 
@@ -66,7 +66,7 @@ Outcome read_effect_file(const std::string& input, const Places&) {
     if (!config) return {.refusal = config.error().message};
     auto effect = tactile::read_effect(*config, "effect");
     if (!effect) return {.refusal = effect.error().message};
-    const auto layout = tactile::load_layout(tactile_folder / "layouts/x40.toml");
+    static const auto layout = tactile::load_layout(tactile_folder / "layouts/x40.toml");
     return layout ? outcome_of_playing(*layout, {{std::move(*effect)}})
                   : Outcome{.fault = layout.error().message};
 }
@@ -77,7 +77,7 @@ Outcome read_tact(const std::string& input, const Places&) {
     const auto again = tactile::import_tact(tactile::tact_of(imported->clip));
     if (!again) return {.fault = again.error().message};
     if (again->clip != imported->clip) return {.fault = "the clip differs after it was written and read"};
-    const auto layout = tactile::load_layout(tactile_folder / "layouts/pad.toml");
+    static const auto layout = tactile::load_layout(tactile_folder / "layouts/pad.toml");
     if (!layout) return {.fault = layout.error().message};
     tactile::Effect effect{.name = "clip", .strongest = 1e-3, .wavelength = 12e-3, .stiffness = 5000};
     effect.pattern = tactile::Pattern::clip;

@@ -183,7 +183,7 @@ TEST(AddedFiles, ASpellOfAKindHasItsOwnNumbersAndName) {
 TEST(AddedFiles, AMatchRecordedBeforeThemIsPlayedAsItWas) {
     const TemporaryFolder folder;
     const auto log = folder.path() / "before.thaumlog";
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 4).value();
+    auto duel = make_bot_duel(assets(), duel_data(), {"level_3", "level_3"}, 4).value();
     const auto header = log_header(duel.match->data(), duel.match->setup(), {"bot 3", "bot 3"});
     auto writer = input::LogWriter::create(log, header).value();
     for (Tick t = 0; t < ticks(12.0); ++t) tick_and_record(*duel.match, duel.next_frame(), &writer);

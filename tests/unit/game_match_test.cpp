@@ -194,7 +194,7 @@ TEST(Match, TheResultNamesTheWinnerIfTheNameIsKnown) {
 
 TEST(GameRules, AGiftIsLimitedByTheCap) {
     const auto data = duel_data();
-    Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    Simulation match(data, {1, {bot_device(0, "level_1"), bot_device(1, "level_1")}});
     const auto gift = [&](PowerUpKind kind, double health, double energy) {
         const auto wizard = wizard_of(match.world(), 0);
         auto& belt = match.world_to_change().get<WandBelt>(wizard);
