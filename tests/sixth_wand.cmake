@@ -14,7 +14,7 @@ endif()
 
 # link_order.cpp with the objects of the wands linked in either order. The game's archive gives the program
 # everything but the wands, since no object of the archive refers to a wand.
-set(wand_objects ${THAUM_WANDS} ${THAUM_EFFECTS} $<TARGET_OBJECTS:wand_hail>)
+set(wand_objects ${THAUM_WANDS} ${THAUM_SPELLS} ${THAUM_EFFECTS} $<TARGET_OBJECTS:wand_hail>)
 foreach(order forward reverse)
     add_executable(wands_${order} sixth_wand/link_order.cpp ${wand_objects})
     target_compile_definitions(wands_${order} PRIVATE THAUM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

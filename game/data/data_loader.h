@@ -46,12 +46,13 @@ public:
     /// If the choice names its files (DataChoice::files), the folder's other files are ignored.
     std::vector<std::string> names_in(const std::string& folder);
 
-    /// Names of all files of a folder in which each kind of the program has a file of its own name. Those come
-    /// first, in the order of their names, and stand here even if they are missing, unless the choice leaves them
-    /// out.
+    /// Names of all files of a folder in which each kind of the program has a file of its own name. Those
+    /// come first, in the order of their names, and stand here even if they are missing, unless the choice
+    /// leaves them out. A program without kinds, which plays no match, reads none.
     template <class Kind>
     std::vector<std::string> names_of_kinds(const std::vector<Kind>& kinds, const std::string& folder) {
         std::vector<std::string> names;
+        if (kinds.empty()) return names;
         for (const auto& kind : kinds)
             if (is_chosen(text(folder, "/", kind.name, ".toml"))) names.emplace_back(kind.name);
         const auto own = names;

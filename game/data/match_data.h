@@ -55,8 +55,8 @@ struct MatchData {
     /// Rules of the orb; std::nullopt if the rule set has no cauldron or no spells, or if the arena has no
     /// orb.
     std::optional<OrbRules> orb;
-    /// Wands, with the changes that the rule set makes: first those whose files have the names of their kinds,
-    /// then the others, both sorted by name.
+    /// Wands, with the changes that the rule set makes: first those whose files have the names of their
+    /// kinds, then the others, both sorted by name.
     std::vector<LoadedWand> wands;
     /// Gestures of assets/gestures. Empty if the rule set has no spells.
     std::shared_ptr<const GestureSet> gestures;

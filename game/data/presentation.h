@@ -158,8 +158,8 @@ std::string table_of_event(EventKind kind);
 EventRows read_event_rows(const Config& file);
 
 /// Reads how a wand's hits are shown, a row for each kind, from the table `event` of the wand's data file.
-/// Reports unknown names and missing rows. `is_own_file`: the file has the name of the wand's kind. Other files
-/// of the kind may not have rows.
+/// Reports unknown names and missing rows. `is_own_file`: the file has the name of the wand's kind. Other
+/// files of the kind may not have rows.
 void read_hit_rows(const ConfigTable& wand, bool is_own_file, const std::vector<HitKind>& hits,
                    EventRows& rows);
 

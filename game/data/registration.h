@@ -1,6 +1,7 @@
 // game/data/registration.h: functions that a kind of wand or spell registers (data/wand.h, data/spell.h),
 // and the choice of a kind by a data file.
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,10 +38,10 @@ template <class Kind>
 const Kind* kind_of_file(const std::vector<Kind>& kinds, const ConfigTable& root, const std::string& name,
                          std::string_view what) {
     const auto wanted = root.string("kind", name);
+    if (wanted != name && std::ranges::find(kinds, name, &Kind::name) != kinds.end())
+        root.report("kind", text("'kind' is '", wanted, "', but the file has the name of another kind"));
     std::string all;
     for (const auto& kind : kinds) {
-        if (kind.name == name && name != wanted)
-            root.report("kind", text("'kind' is '", wanted, "', but the file has the name of another kind"));
         if (kind.name == wanted) return &kind;
         all += text(all.empty() ? "" : ", ", kind.name);
     }

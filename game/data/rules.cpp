@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/data/event_kinds.h"
+
 namespace thaum::game::inline data {
 namespace {
 
 /// Downward acceleration where no file says otherwise (m/s^2).
 constexpr double standard_gravity = 9.81;
+
+const EventRegistration surge_begins({.name = "surge", .with = {}, .unit = "times", .has_subject = true});
+const EventRegistration round_tied({.name = "tied", .with = {}, .unit = "s", .has_subject = true});
 
 std::vector<Surge> read_surges(const ConfigTable& table) {
     std::vector<Surge> surges;
@@ -41,6 +46,9 @@ RoundRules read_round_rules(const Config& file) {
             .surges = read_surges(root.table("surge")),
             .boil_over = read_boil_over(root.table("boil_over"))};
 }
+
+EventKind surge_event() { return surge_begins.kind(); }
+EventKind tied_event() { return round_tied.kind(); }
 
 double surge_at(const RoundRules& rules, Tick age) {
     double factor = 1;

@@ -25,10 +25,16 @@ struct Surge {
 /// Time that a round is prolonged by if its kills are equal at the end. The next death decides it.
 struct BoilOverRules {
     Tick length{};  ///< longest time (ticks); 0: such a round is a draw at once
-    /// Health of both wizards at the beginning, and their largest health meanwhile (HP); at most that of a new
-    /// wizard
+    /// Health of both wizards at the beginning, and their largest health meanwhile (HP); at most that of a
+    /// new wizard
     double health{};
 };
+
+/// Kinds of event that are recorded for both players: a mana surge begins or ends (amount: its factor), and
+/// the Boil-over begins (amount: its longest time in s). They are registered beside the rules, so that every
+/// program that reads the rules can read how the events are shown.
+EventKind surge_event();
+EventKind tied_event();
 
 /// Rules of rounds, which give a match its length: from assets/rules/quick.toml, standard.toml or another
 /// file there.

@@ -1,7 +1,7 @@
 // game/data/spell.h: the interface of spells. A kind of spell is one .cpp in game/spells that registers a
 // SpellKind, with the data file assets/spells/KIND.toml. The rest of the game uses spells only through this
-// interface, so a new kind changes no other file. Further spells of a kind are data files alone. Keys that every
-// spell's file has:
+// interface, so a new kind changes no other file. Further spells of a kind are data files alone. Keys that
+// every spell's file has:
 //
 //     kind = "shield"       # the kind; may be left out if it is the file's name
 //     slot = 1              # wand key that casts it without a stroke, while Trace is held

@@ -1,7 +1,7 @@
-// game/data/wand.h: the interface of wands. A kind of wand is one .cpp in game/wands that registers a WandKind,
-// with the data file assets/wands/KIND.toml. The rest of the game uses wands only through this interface, so a
-// new kind changes no other file. Further wands of a kind are data files alone: they say `kind = "bolt"`. Their
-// hits are those of the kind, whose own file says how these are shown.
+// game/data/wand.h: the interface of wands. A kind of wand is one .cpp in game/wands that registers a
+// WandKind, with the data file assets/wands/KIND.toml. The rest of the game uses wands only through this
+// interface, so a new kind changes no other file. Further wands of a kind are data files alone: they say
+// `kind = "bolt"`. Their hits are those of the kind, whose own file says how these are shown.
 #pragma once
 #include <functional>
 #include <memory>

@@ -12,9 +12,9 @@ namespace thaum::game::inline match {
 /// input::DeviceSample::wand.
 std::vector<input::KindTable> kind_tables(const MatchData& data);
 
-/// First kind of a log's tables whose number means another kind in this program, in one line; empty if there is
-/// none. Further wands, spells, potions and the like are no difference, because
-/// no state of the log contains them; further events are, because this program may record them.
+/// First kind of a log's tables whose number means another kind in this program, in one line; empty if
+/// there is none. Further wands, spells, potions and the like are no difference, because no state of the
+/// log contains them; further events are, because this program may record them.
 std::string kind_difference(const std::vector<input::KindTable>& recorded,
                             const std::vector<input::KindTable>& here);
 

@@ -4,7 +4,6 @@
 #include "game/components/casting.h"
 #include "game/components/stroke_reading.h"
 #include "game/context/hand_forces.h"
-#include "game/data/event_kinds.h"
 #include "game/data/wand_slots.h"
 #include "game/match/great_work.h"
 #include "game/match/hand/arm_system.h"
@@ -77,9 +76,6 @@ void end_round(MatchContext& context, Ending ending, std::uint32_t winner, Tick 
                      .detail = static_cast<std::uint32_t>(ending)});
 }
 
-const EventRegistration surge_begins({.name = "surge", .with = {}, .unit = "times", .has_subject = true});
-const EventRegistration round_tied({.name = "tied", .with = {}, .unit = "s", .has_subject = true});
-
 /// Records an event that happens to both players.
 void tell_both(MatchContext& context, EventKind kind, double amount, Tick tick) {
     for (std::uint32_t player = 0; player < players; ++player)
@@ -94,7 +90,7 @@ void surge(MatchContext& context, Tick age, Tick tick) {
         changed = changed || health.surge != factor;
         health.surge = factor;
     });
-    if (changed) tell_both(context, surge_begins.kind(), factor, tick);
+    if (changed) tell_both(context, surge_event(), factor, tick);
 }
 
 /// Lets a round whose time is up go on until the next death, with little health for both.
@@ -105,7 +101,7 @@ void boil_over(MatchContext& context, Tick tick) {
         health.limit = rules.health;
         if (!context.world.has<Dead>(wizard)) health.points = rules.health;
     });
-    tell_both(context, round_tied.kind(), seconds(rules.length), tick);
+    tell_both(context, tied_event(), seconds(rules.length), tick);
 }
 
 void end_by_great_work(MatchContext& context, std::uint32_t worker, Tick tick) {
@@ -125,9 +121,9 @@ std::array<std::int32_t, players> kills_of(const ecs::World& world) {
     return kills;
 }
 
-/// Ends the round if it is decided. Kills come before the Great Work (another way to win), and this before the
-/// time. If both players reach the limit of kills in one tick, the one with more kills wins; equal kills are a
-/// draw.
+/// Ends the round if it is decided. Kills come before the Great Work (another way to win), and this before
+/// the time. If both players reach the limit of kills in one tick, the one with more kills wins; equal
+/// kills are a draw.
 void judge(MatchContext& context, Tick tick) {
     const auto& rules = context.data.round;
     const auto& match = std::as_const(context.world).single<Match>();

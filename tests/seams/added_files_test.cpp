@@ -1,5 +1,5 @@
-// Data files that are added to the game's: a second wand and a second spell of a kind, a gesture and a potion.
-// No source is needed for them, and a match recorded before them is replayed as it was played.
+// Data files that are added to the game's: a second wand and a second spell of a kind, a gesture and a
+// potion. No source is needed for them, and a match recorded before them is replayed as it was played.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -37,11 +37,13 @@ TEST(GameSounds, AllAreThere) {
     std::string names;
     for (const auto& sound : bank().sounds) names += sound.name + " ";
     EXPECT_EQ(names,
-              "blast_burst blast_charge blast_shot boil bolt_shot boon brew_fault brew_step carve cast_fog "
+              "blast_burst blast_charge blast_shot boil boil_over bolt_shot boon brew_fault brew_step carve "
+              "cast_fog "
               "cast_push cast_recall cast_shield chipped core_near count_go count_tick death fall_hit "
               "hands_full heartbeat hit_metal hit_soft hit_stone hit_wizard hit_wizard_hard hit_wood "
               "ingredient_dropped ingredient_put_away ingredient_taken jump land last_seconds lens "
-              "lift_hold lift_take lift_throw lob_burst lob_draw lob_shot menu_back menu_choose menu_move "
+              "lift_hold lift_take lift_throw lob_burst lob_draw lob_shot mana_surge menu_back menu_choose "
+              "menu_move "
               "menu_refused mode_change music_calm music_final music_pulse music_tension no_focus orb_hum "
               "orb_told poison potion potion_over power_heart power_spark power_vial pushed respawn "
               "round_drawn round_lost round_won shield_hit splash spoilt step_metal step_stone step_wood "

@@ -18,7 +18,6 @@ bool is_equal(const BotSkill& a, const BotSkill& b) { return std::memcmp(&a, &b,
 class BotFiles : public testing::Test {
 protected:
     void SetUp() override {
-        std::filesystem::remove_all(assets_);
         std::filesystem::create_directories(assets_);
         std::filesystem::copy(THAUM_SOURCE_DIR "/assets/bots", assets_ / "bots",
                               std::filesystem::copy_options::recursive);
@@ -29,7 +28,8 @@ protected:
     }
     std::string refusal(const std::string& name) { return message_of(load_bot(assets_, name)); }
 
-    std::filesystem::path assets_ = std::filesystem::path(testing::TempDir()) / "thaum_bot_files" / "assets";
+    const TemporaryFolder temporary_;
+    const std::filesystem::path assets_ = temporary_.path() / "assets";
 };
 
 TEST_F(BotFiles, AFileHasOnlyWhatDiffersFromItsBase) {

@@ -208,8 +208,8 @@ TEST(GameTables, PausesSkipsDevicesMarksAndTheEndAreRows) {
     }
     const std::vector<std::string> expected{
         "4001 pause 2  ",     "4601 resume   ",       "5001 mark  1 ",
-        "5001 mark  2 ",      "7001 skip   300ticks", "8001 left 2 bot 1 ",
-        "8003 left 1 bot 1 ", "8004 joined 2 bot 1 ", "12000 end  clean " + table_recording().result};
+        "5001 mark  2 ",      "7001 skip   300ticks", "8001 left 2 bot level_1 ",
+        "8003 left 1 bot level_1 ", "8004 joined 2 bot level_1 ", "12000 end  clean " + table_recording().result};
     EXPECT_EQ(lines, expected);
 }
 

@@ -16,7 +16,6 @@ using Names = std::vector<std::string>;
 class Mutators : public testing::Test {
 protected:
     void SetUp() override {
-        std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
         std::filesystem::copy(assets(), folder_, std::filesystem::copy_options::recursive);
     }
@@ -30,7 +29,8 @@ protected:
     }
     std::string refusal(Names mutators) { return message_of(load(std::move(mutators))); }
 
-    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "thaum_mutators" / "assets";
+    const TemporaryFolder temporary_;
+    const std::filesystem::path folder_ = temporary_.path() / "assets";
 };
 
 TEST_F(Mutators, TheShippedOnesLoadAloneAndTogether) {
