@@ -69,7 +69,7 @@ struct Health {
     double limit{no_health_limit};
     double surge{1};    ///< factor on the harm that the other player does to the wizard now
     double ward{};      ///< harm that the wizard's shield can still absorb (HP)
-    Tick ward_until{};  ///< tick of play at which the Shield spell ends
+    Tick ward_until{};  ///< tick of play at which the shield ends
     double poison{};    ///< harm by poison for each second, until `poisoned_until` (HP/s)
     Tick poisoned_until{};
     std::uint32_t poisoned_by{};  ///< player who poisoned the wizard

@@ -139,7 +139,6 @@ void add_effect_systems(MatchContext& context, ecs::Schedule& schedule) {
                           });
                   }});
     add_weight_system(context, schedule);
-    for (const auto& one : context.data.effects) one.rules->add_systems({context, schedule});
 }
 
 }  // namespace thaum::game::inline context

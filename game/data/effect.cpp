@@ -55,6 +55,11 @@ Expected<void> number_effects(MatchData& data) {
     return {};
 }
 
+bool is_worth_taking(const EffectList& list) {
+    return std::ranges::any_of(
+        list, [](const ListedEffect& one) { return one.lasts > 0 || one.kind->worth_taking; });
+}
+
 bool has_kind(const EffectList& list, std::string_view kind) {
     return std::ranges::any_of(list, [&](const ListedEffect& one) { return one.kind->name == kind; });
 }

@@ -21,7 +21,7 @@
 
 #include "core/config.h"
 #include "core/registry.h"
-#include "ecs/schedule.h"
+#include "ecs/world.h"
 #include "game/components/effects.h"
 #include "game/components/potions.h"
 
@@ -42,12 +42,6 @@ struct EffectUse {
     Tick lasts{};  ///< time for which the effect acts from its beginning (ticks); 0: it acts at once only
     Tick tick{};   ///< number of the present tick of play
     vec3 place{};  ///< where the wizard got the effect (m, world); for events
-};
-
-/// Arguments with which an effect adds its systems.
-struct EffectSystems {
-    MatchContext& context;
-    ecs::Schedule& schedule;
 };
 
 /// Numbers of a wizard that an effect multiplies while it acts.
@@ -99,16 +93,16 @@ public:
     /// Components and resources of the World that the functions write, besides Effects, EventLog and
     /// resource::Journal.
     virtual ecs::Mask writes(const ecs::World&) const { return {}; }
-    /// Adds systems of the effect's own. Few effects need any: step() is called every gameplay tick.
-    virtual void add_systems(const EffectSystems&) const {}
 };
 
 /// A kind of effect, as its source registers it.
 struct EffectKind {
     std::string_view name;
-    /// True: its entries have the key `lasts_s`, and it acts for that time. False: all is done by begin(),
-    /// which may set a state that ends by itself, such as a shield.
+    /// True: its entries have the key `lasts_s`, and it acts for that time. False: begin() does all, and may
+    /// set a state that ends by itself, such as a shield, or by lost().
     bool lasts = false;
+    /// True: a wizard takes a power-up for it although it does not last and gives no amount (gain()).
+    bool worth_taking = false;
     /// Declares components that only this kind has; null: it has none.
     void (*declare)(ecs::World&) = nullptr;
     /// Reads the keys that only this kind has from an entry of a list.
@@ -147,6 +141,8 @@ EffectList read_effects(const ConfigTable& holder);
 /// spells and power-ups, then those of the orb and of crystals. Fails if there are more than max_effects.
 Expected<void> number_effects(MatchData& data);
 
+/// Whether a wizard takes a power-up for one of the effects, whatever amount they give.
+bool is_worth_taking(const EffectList& list);
 /// Whether a list has an effect of this kind.
 bool has_kind(const EffectList& list, std::string_view kind);
 /// Time for which the longest of the effects acts (ticks).

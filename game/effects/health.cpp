@@ -18,6 +18,7 @@ public:
     }
     double gain(const EffectUse& use) const override {
         const auto& health = std::as_const(use.context.world).get<Health>(use.wizard);
+        if (health.points <= 0) return 0;  // the wizard is about to die in this tick
         const double room = largest_health(use.context.data.wizard, health) - health.points;
         return std::max(0.0, std::min(points_ * use.strength, room));
     }

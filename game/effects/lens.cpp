@@ -12,7 +12,13 @@ public:
     explicit GivenLens(const ConfigTable&) {}
 
     void begin(const EffectUse& use) const override {
-        if (auto* lens = use.context.world.find<Lens>(use.wizard)) lens->held = 1;
+        auto* lens = use.context.world.find<Lens>(use.wizard);
+        if (lens == nullptr) return;
+        lens->held = 1;
+        const auto player = std::as_const(use.context.world).get<Wizard>(use.wizard).player;
+        record(
+            use.context,
+            {.tick = use.tick, .kind = EventKind::lens, .subject = player, .by = player, .place = use.place});
     }
     void lost(const EffectUse& use) const override {
         const auto& world = std::as_const(use.context.world);
@@ -27,7 +33,7 @@ public:
     ecs::Mask writes(const ecs::World& world) const override { return world.mask<Lens>(); }
 };
 
-const EffectRegistration registration({.name = "lens", .read = read_effect<GivenLens>});
+const EffectRegistration registration({.name = "lens", .worth_taking = true, .read = read_effect<GivenLens>});
 
 }  // namespace
 }  // namespace thaum::game::inline effects

@@ -23,7 +23,7 @@ private:
     Tick lasts_;      ///< time after which it is gone (ticks)
 };
 
-const EffectRegistration registration({.name = "shield", .read = read_effect<Shield>});
+const EffectRegistration registration({.name = "shield", .worth_taking = true, .read = read_effect<Shield>});
 
 }  // namespace
 }  // namespace thaum::game::inline effects

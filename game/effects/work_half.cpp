@@ -34,7 +34,9 @@ public:
     ecs::Mask writes(const ecs::World& world) const override { return world.mask<WorkHalf>(); }
 };
 
-const EffectRegistration registration({.name = "work_half", .read = read_effect<HalfOfWork>});
+const EffectRegistration registration({.name = "work_half",
+                                       .worth_taking = true,
+                                       .read = read_effect<HalfOfWork>});
 
 }  // namespace
 }  // namespace thaum::game::inline effects

@@ -28,7 +28,7 @@ Taker find_taker(MatchContext& context, const PowerUp& power_up, const EffectSta
                 distance_on_floor(context.data.wizard, motion.position, start.place, rules.radius);
             if (!distance || *distance >= best.distance) return;
             const double gain = gain_of(context, e, rules.effects, start);
-            if (gain >= min_gain || longest_of(rules.effects) > 0) best = {e, gain, *distance};
+            if (gain >= min_gain || is_worth_taking(rules.effects)) best = {e, gain, *distance};
         });
     return best;
 }

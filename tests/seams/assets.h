@@ -28,7 +28,6 @@ public:
                 std::filesystem::create_symlink(entry.path(), folder / entry.path().filename());
         }
         std::filesystem::remove(folder / file);  // else the file of the game would be written
-        std::filesystem::remove(folder / file);
         if (!write_text_file(folder / file, words)) std::abort();
     }
     /// Appends words to a file in a folder of the assets, or in "." for their own folder.

@@ -87,7 +87,8 @@ const std::filesystem::path& with_giggle() {
         assets.append("rules", "thaum.toml", giggling("vial.effect"));
         assets.append(".", "orb.toml", giggling("effect"));
         assets.append("rules", "classic.toml",
-                      "\n[[spark.effect]]\nkind = \"gravity\"\nfactor = 0.4\nlasts_s = 10\n");
+                      "\n[[spark.effect]]\nkind = \"gravity\"\nfactor = 0.4\nlasts_s = 10\n"
+                      "[[heart.effect]]\nkind = \"shield\"\nabsorbs_hp = 30\nlasts_s = 60\n");
         return true;
     }();
     EXPECT_TRUE(added);
@@ -191,6 +192,24 @@ TEST(NewEffect, APowerUpGivesItAlsoToAWizardOfFullHealth) {
     duel.run(2 * gameplay_period);
     EXPECT_EQ(count_of(duel.match, EventKind::power_up), 1U);
     EXPECT_NEAR(duel.rate(), 1, 1e-9);
+}
+
+TEST(Effects, AWizardOfFullHealthTakesAPowerUpForAShieldAndTheDyingAreNotHealed) {
+    Duel duel({.rules = "classic"});
+    auto& context = duel.match.context_to_change();
+    auto& world = context.world;
+    vec3 place{};
+    world.view<const PowerUp, const Motion>().each([&](const PowerUp& one, const Motion& motion) {
+        if (one.kind == PowerUpKind::heart) place = motion.position;
+    });
+    duel.place(place + vec3(0, duel.match.data().wizard.height / 2, 0));
+    world.get<Health>(duel.wizard()).points = duel.match.data().wizard.health_cap;
+    duel.run(2 * gameplay_period);
+    EXPECT_EQ(world.get<Health>(duel.wizard()).ward, 30);
+    world.get<Health>(duel.wizard()).points = -1;
+    const auto& heart = duel.match.data().rules.power_ups[static_cast<std::size_t>(PowerUpKind::heart)];
+    begin_effects(context, duel.wizard(), heart.effects, {.tick = duel.match.match().played});
+    EXPECT_EQ(world.get<Health>(duel.wizard()).points, -1);
 }
 
 TEST(NewEffect, GivenAgainItBeginsAnewAndOthersOfItsKindActBesides) {

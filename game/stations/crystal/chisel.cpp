@@ -134,7 +134,6 @@ vec3 felt_place(const HandState& hand_state) {
 void reward(MatchContext& context, CrystalBodies& bodies, const Carver& carver, Crystal& crystal) {
     begin_effects(context, carver.wizard, context.data.crystal->effects,
                   {.tick = carver.tick, .place = crystal.middle});
-    tell(context, carver, EventKind::lens, 0, crystal.middle);
     renew_crystal(context, bodies, crystal);
 }
 

@@ -219,9 +219,9 @@ void add_orb_probe_system(MatchContext& context, ecs::Schedule& schedule) {
          .writes = writes,
          .needs = world.mask<Scrying>(),
          .run = [&context](ecs::World& w, Tick tick) {
-             w.view<const Wizard, const AtStation, const HandState, Scrying, WornModes>().each(
-                 [&](ecs::Entity e, const Wizard& wizard, const AtStation& station,
-                     const HandState& hand_state, Scrying& scrying, WornModes& modes) {
+             w.view<const Wizard, const AtStation, const HandState, Scrying, WornModes, ecs::Without<Dead>>()
+                 .each([&](ecs::Entity e, const Wizard& wizard, const AtStation& station,
+                           const HandState& hand_state, Scrying& scrying, WornModes& modes) {
                      move_probe(context, {e, wizard.player, tick}, station, hand_state, scrying, modes);
                  });
          }});
