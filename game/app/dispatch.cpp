@@ -19,7 +19,7 @@ struct Summary {
 
 /// The game's commands in the order in which they are listed, with those that only thaum-tools has.
 constexpr Summary overview[] = {
-    {"play", "a match: the start screen, or --vs, --solo LEVEL, --demo"},
+    {"play", "a match: the start screen, or --vs, --solo BOT, --demo"},
     {"range", "practice on a dummy; data files that change are read while it runs"},
     {"replay", "play a recorded match again, or check it"},
     {"shots", "make the README's pictures from a replay"},

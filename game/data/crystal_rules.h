@@ -39,7 +39,7 @@ struct CrystalRules {
     double turning{};  ///< speed at which a carver turns the crystal (rad/s)
     /// Overlap with the key (the shape to be carved) at which the wizard gains the reward; 0 to 1
     double overlap{};
-    EffectList effects;  ///< the reward: what happens to the wizard who has carved the key
+    EffectList effects{};  ///< the reward: what happens to the wizard who has carved the key
     CarvingHandRules hand{};
     CrystalSurfaceRules surface{};
     field::Tool chip{};         ///< tool that melts a ball of the crystal at the point of a hit

@@ -17,7 +17,8 @@ bool plain_name(std::string_view name) {
 
 std::vector<std::string> stems_in(const std::filesystem::path& folder) {
     std::vector<std::string> stems;
-    for (const auto& file : files_in(folder, ".toml").value_or({})) stems.push_back(file.stem().string());
+    for (const auto& file : files_in(folder, ".toml").value_or({}))
+        if (const auto stem = file.stem().string(); plain_name(stem)) stems.push_back(stem);
     return stems;
 }
 

@@ -15,7 +15,8 @@ inline constexpr std::size_t max_data_file = 1U << 20U;
 /// Whether a data file may have the name: 1 to 64 of a-z, 0-9 and _.
 bool plain_name(std::string_view name);
 
-/// Names of the data files in a folder, without .toml, sorted; none if the folder cannot be read.
+/// Names of the data files in a folder, without .toml, sorted; none if the folder cannot be read. Files whose
+/// names are not plain are left out.
 std::vector<std::string> stems_in(const std::filesystem::path& folder);
 
 /// Refuses a name that is not among the known ones. `what`: a noun for it, such as "arena".

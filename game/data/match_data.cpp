@@ -375,7 +375,10 @@ namespace {
 Expected<void> check_choice(const std::filesystem::path& assets, const DataChoice& choice) {
     if (auto there = check_folder(assets); !there) return there.error();
     if (auto known = check_arena_name(assets, choice.arena); !known) return known.error();
-    if (auto known = check_name(rule_sets(assets), choice.rules, "rule set"); !known) return known.error();
+    if (!is_unreadable_rule_file(assets, choice.rules)) {
+        if (auto known = check_name(rule_sets(assets), choice.rules, "rule set"); !known)
+            return known.error();
+    }
     if (auto known = check_name(match_lengths(assets), choice.match, "match"); !known) return known.error();
     if (const auto& fault = event_kinds().fault; !fault.empty()) return fail(fault);
     return {};

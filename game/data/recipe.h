@@ -61,7 +61,7 @@ struct Recipe {
     std::vector<RecipeIngredient> ingredients;
     std::vector<RecipeStroke> strokes;
     ChangedBrew fluid;
-    EffectList effects;  ///< what the potion does to the wizard who brewed it
+    EffectList effects{};  ///< what the potion does to the wizard who brewed it
 };
 
 /// The gesture that comes after `done` strokes; null if all strokes are done.

@@ -8,11 +8,15 @@
 namespace thaum::game::inline data {
 namespace {
 
+Expected<Config> read_rule_file(const std::filesystem::path& assets, const std::string& name) {
+    const auto source = read_text_file(assets / text("rules/", name, ".toml"), max_data_file);
+    return source ? Config::parse(*source, name, 1) : Expected<Config>(source.error());
+}
+
 /// Whether a file of assets/rules is about the length of a match. One that cannot be read counts as such, so
 /// that the menu shows its fault.
 bool is_match_length(const std::filesystem::path& assets, const std::string& name) {
-    const auto source = read_text_file(assets / text("rules/", name, ".toml"), max_data_file);
-    const auto file = source ? Config::parse(*source, name, 1) : Expected<Config>(source.error());
+    const auto file = read_rule_file(assets, name);
     return !file || file->root().has("kills") || file->root().has("seconds");
 }
 
@@ -30,6 +34,12 @@ std::vector<std::string> rule_sets(const std::filesystem::path& assets) { return
 
 std::vector<std::string> match_lengths(const std::filesystem::path& assets) {
     return rule_files(assets, true);
+}
+
+bool is_unreadable_rule_file(const std::filesystem::path& assets, const std::string& name) {
+    std::error_code unknown;
+    return plain_name(name) && std::filesystem::exists(assets / text("rules/", name, ".toml"), unknown) &&
+           !read_rule_file(assets, name);
 }
 
 }  // namespace thaum::game::inline data

@@ -55,7 +55,7 @@ double surge_at(const RoundRules& rules, Tick age);
 Tick round_ends_at(const RoundRules& rules, const Match& match);
 
 struct PowerUpRules {
-    EffectList effects;  ///< what the power-up does to the wizard who picks it up
+    EffectList effects{};  ///< what the power-up does to the wizard who picks it up
     Tick again{};        ///< ticks after it was picked up until the power-up is available again
     double radius{};     ///< radius within which the power-up is picked up (m, on the ground)
 };

@@ -117,7 +117,7 @@ struct LoadedSpell {
     const SpellKind* kind{};
     SpellStats stats{};
     std::shared_ptr<const SpellRules> rules{};
-    EffectList effects;  ///< what the spell does to its caster, besides SpellRules::cast
+    EffectList effects{};  ///< what the spell does to its caster, besides SpellRules::cast
 };
 
 /// Reads the spell of this name and number. If its kind is unknown, reports that and returns a spell without

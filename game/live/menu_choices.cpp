@@ -128,8 +128,7 @@ MenuContext find_menu_context(const LivePlan& plan) {
                         .first_start = plan.first_start,
                         .ends_match = plan.start_screen,
                         .start_fault = plan.start_fault};
-    for (const auto& wand : plan.data->wands)
-        context.wands.at(wand.stats.slot) = capitalised(wand.name);
+    for (const auto& wand : plan.data->wands) context.wands.at(wand.stats.slot) = capitalised(wand.name);
     return context;
 }
 

@@ -21,13 +21,18 @@ Expected<void> NextMatch::open_range(const DataChoice& choice) {
     return {};
 }
 
-Expected<void> NextMatch::open_range() { return open_range(data_->choice); }
+Expected<void> NextMatch::open_range() {
+    auto choice = data_->choice;
+    choice.mutators.clear();  // they change duels; on the range a lesson could become impossible
+    return open_range(choice);
+}
 
 Expected<void> NextMatch::open_apprentice() {
     auto lessons = load_lessons(assets_);
     if (!lessons) return lessons.error();
     auto choice = data_->choice;
     choice.arena = lessons->arena;
+    choice.mutators.clear();
     if (auto opened = open_range(choice); !opened) return opened;
     lessons_ = std::move(*lessons);
     return {};

@@ -139,7 +139,7 @@ struct MenuState {
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t bot = 0, rules = 0, arena = 0;  ///< chosen entries: indices into lists of MenuContext
-    /// Chosen mutators by name, in the order of MenuContext::mutators.
+    /// Chosen mutators by name.
     std::vector<std::string> mutators{};
     std::size_t dummy = 0;    ///< kind of the range's practice dummy (DummyKind)
     RangeChanges range{};     ///< changes of the practice range's rules, such as endless

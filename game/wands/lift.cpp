@@ -83,6 +83,8 @@ struct LiftHand {
 constexpr Tick between_blows = 40;  ///< minimum time between two felt blows on the held thing (ticks)
 constexpr Tick blow_length = 20;    ///< duration of the kick by which a blow is felt (ticks)
 constexpr double blow_force = 2.5;  ///< largest force of the kick by which a blow is felt (N)
+/// Downward acceleration at which a thing weighs as the wand's file says (m/s^2)
+constexpr double usual_gravity = 9.81;
 /// Distance from the eye at which a throw's path crosses the line of sight (m)
 constexpr double throw_reach = 20;
 
@@ -459,7 +461,8 @@ void move_thing(physics::Physics& physics, const LiftData& data, ecs::Entity wiz
 void feel_weight(MatchContext& context, const LiftData& data, ecs::Entity wizard, double mass) {
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
     const double share = context.input.haptic_setup.weight[player];
-    set_steady_force(context, wizard, vec3(0, -data.weight * share * mass, 0));
+    const double force = data.weight * share * mass * (context.data.wizard.gravity / usual_gravity);
+    set_steady_force(context, wizard, vec3(0, -force, 0));
 }
 
 /// One tick of holding: the spring pulls hand and thing towards each other, and the hand feels it until the

@@ -194,6 +194,7 @@ std::vector<Mistake> wrong_values() {
         {quick, "seconds = 240", "seconds = 1e-300", {"from 1 to 36000"}},
         {"rules/thaum.toml", "cauldron = true", "cauldron = \"true\"", {"true or false"}},
         {"rules/thaum.toml", "cauldron = true", "cauldron = 1", {"true or false"}},
+        {"rules/thaum.toml", "cauldron = true", "cauldron = tru", {"thaum.toml"}},
         {bolt, "damage = 6", "damage = \"6,5\"", {"6.5"}},
         {bolt, "sound = \"hit_wizard\"", "sound = 3", {"text in quotes"}},
         {bolt, "colour = \"#8A5E3A\"", "colour = \"#8A5E3\"", {"#RRGGBB"}},

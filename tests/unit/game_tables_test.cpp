@@ -206,10 +206,15 @@ TEST(GameTables, PausesSkipsDevicesMarksAndTheEndAreRows) {
                              csv.at(row, "with"), " ", csv.at(row, "amount"), csv.at(row, "unit"),
                              csv.at(row, "note")));
     }
-    const std::vector<std::string> expected{
-        "4001 pause 2  ",     "4601 resume   ",       "5001 mark  1 ",
-        "5001 mark  2 ",      "7001 skip   300ticks", "8001 left 2 bot level_1 ",
-        "8003 left 1 bot level_1 ", "8004 joined 2 bot level_1 ", "12000 end  clean " + table_recording().result};
+    const std::vector<std::string> expected{"4001 pause 2  ",
+                                            "4601 resume   ",
+                                            "5001 mark  1 ",
+                                            "5001 mark  2 ",
+                                            "7001 skip   300ticks",
+                                            "8001 left 2 bot level_1 ",
+                                            "8003 left 1 bot level_1 ",
+                                            "8004 joined 2 bot level_1 ",
+                                            "12000 end  clean " + table_recording().result};
     EXPECT_EQ(lines, expected);
 }
 

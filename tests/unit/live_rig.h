@@ -2,6 +2,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include <filesystem>
 #include <initializer_list>
 #include <string_view>
@@ -45,7 +47,7 @@ inline input::PadState pad_at(input::PadAxis axis, double value) {
 }
 
 inline TakenSeats seats_for(live::Seat first, live::Seat second, const Settings& settings = {}) {
-    return take_seats(settings, {first, second});
+    return take_seats(settings, {std::move(first), std::move(second)});
 }
 inline const live::Seat mouse_seat{.kind = SeatKind::keyboard_mouse},
     half_seat{.kind = SeatKind::keyboard_half}, first_pad_seat{.kind = SeatKind::pad, .pad = 0},

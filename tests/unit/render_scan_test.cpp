@@ -169,6 +169,23 @@ TEST_F(ScanPicture, OfOtherSampleTypesIsTheSame) {
     scan.samples = std::span<const float>(floats);
     scan.low = -3, scan.high = 2;
     EXPECT_LE(max_difference(sixteen, drawn(scan)), 1);
+    // Bytes with a range of their own, such as a mask of a few labels.
+    std::vector<std::uint8_t> narrow;
+    std::vector<std::int16_t> wide;
+    for (const auto byte : bytes) {
+        narrow.push_back(static_cast<std::uint8_t>(byte / 2 + 10));
+        wide.push_back(static_cast<std::int16_t>(narrow.back()));
+    }
+    ++scan.version;
+    scan.samples = std::span<const std::uint8_t>(narrow);
+    scan.low = 10, scan.high = 137;
+    const auto of_bytes = drawn(scan);
+    ++scan.version;
+    scan.samples = std::span<const std::int16_t>(wide);
+    EXPECT_LE(max_difference(of_bytes, drawn(scan)), 1);
+    ++scan.version;
+    scan.samples = std::span<const float>(floats);
+    scan.low = -3, scan.high = 2;
     // A NaN sample counts as the lowest value.
     ++scan.version;
     const auto mixed = floats;

@@ -89,6 +89,7 @@ std::size_t density_bytes(const Scan& scan) {
 
 void pack_density(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>& out) {
     out.clear();
+    const bool as_bytes = density_bytes(scan) == 1;
     out.reserve(number(box.count) * density_bytes(scan));
     const ToDensity to_density(scan);
     const auto width = static_cast<std::size_t>(box.count[0]);
@@ -96,8 +97,8 @@ void pack_density(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t
         [&]<class Sample>(std::span<const Sample> all) {
             visit_rows(box, [&](int y, int z) {
                 for (const auto sample : all.subspan(index_of(scan, box.first[0], y, z), width)) {
-                    if constexpr (sizeof(Sample) == 1) {
-                        out.push_back(sample);
+                    if (sizeof(Sample) == 1 && as_bytes) {
+                        out.push_back(static_cast<std::uint8_t>(sample));
                     } else {
                         const auto density = to_density(sample);
                         const auto* bytes = reinterpret_cast<const std::uint8_t*>(&density);

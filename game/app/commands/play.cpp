@@ -174,8 +174,7 @@ std::array<live::Seat, 2> seats_of(const PlayOptions& options) {
 }
 
 /// Data for the start screen: its last choice, unless options name a match, an arena or mutators. If that
-/// choice can
-/// no longer be loaded, the default is used.
+/// choice can no longer be loaded, mutators are left out, and if that does not help, the default is used.
 Expected<MatchData> load_last_choice(const std::filesystem::path& assets, const PlayOptions& options,
                                      const LastChoice& last) {
     auto choice = options.data;
@@ -183,6 +182,9 @@ Expected<MatchData> load_last_choice(const std::filesystem::path& assets, const 
     if (!options.arena_named) choice.arena = last.arena;
     if (!options.mutators_named) choice.mutators = last.mutators;
     auto data = load_match_data(assets, choice);
+    if (data) return data;
+    choice.mutators = options.data.mutators;
+    data = load_match_data(assets, choice);
     return data ? std::move(data) : load_match_data(assets, options.data);
 }
 
