@@ -38,7 +38,7 @@ struct OrbRules {
     /// time for which the probe must stay near the hidden core until the orb gives its reward (ticks)
     Tick hold{};
     EffectList effects{};  ///< what happens to a wizard who has found the core
-    double focus{};      ///< focus (what spells cost) that a wizard spends while searching the orb (1/s)
+    double focus{};        ///< focus (what spells cost) that a wizard spends while searching the orb (1/s)
     /// Stiffness of the spring between the device's tip and the proxy, the point that follows the mode's
     /// rules (N/m, at the device)
     double stiffness{};

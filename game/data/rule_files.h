@@ -12,8 +12,8 @@ std::vector<std::string> rule_sets(const std::filesystem::path& assets);
 /// round lasts (`kills` or `seconds`), and of the files there that cannot be read.
 std::vector<std::string> match_lengths(const std::filesystem::path& assets);
 
-/// Whether assets/rules has a file of this name that cannot be read, so that nobody can tell which of the two it
-/// is. Reading it tells its fault.
+/// Whether assets/rules has a file of this name that cannot be read, so that nobody can tell which of the
+/// two it is. Reading it tells its fault.
 bool is_unreadable_rule_file(const std::filesystem::path& assets, const std::string& name);
 
 }  // namespace thaum::game::inline data

@@ -56,8 +56,8 @@ Tick round_ends_at(const RoundRules& rules, const Match& match);
 
 struct PowerUpRules {
     EffectList effects{};  ///< what the power-up does to the wizard who picks it up
-    Tick again{};        ///< ticks after it was picked up until the power-up is available again
-    double radius{};     ///< radius within which the power-up is picked up (m, on the ground)
+    Tick again{};          ///< ticks after it was picked up until the power-up is available again
+    double radius{};       ///< radius within which the power-up is picked up (m, on the ground)
 };
 
 /// Parts of the game that a rule set switches on or off, from assets/rules/thaum.toml or classic.toml.

@@ -96,7 +96,7 @@ void ask_for_forces(const Settings& settings, std::uint32_t player, input::Devic
     spec.moves_faders = true;
 }
 
-TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
+TakenSeat take_seat(const Settings& settings, const Seat& seat, std::uint32_t player) {
     if (seat.kind == SeatKind::bot) return {seat, bot_device(player, seat.bot), nullptr, nullptr};
     if (seat.kind == SeatKind::dummy) return {seat, dummy_device(), nullptr, nullptr};
     input::DeviceSpec spec;

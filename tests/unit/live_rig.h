@@ -2,11 +2,10 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include <filesystem>
 #include <initializer_list>
 #include <string_view>
+#include <utility>
 
 #include "core/file.h"
 #include "core/text.h"
