@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
+#include <span>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -13,7 +14,9 @@ namespace thaum::game {
 namespace {
 
 /// Whether all numbers of two skills are equal. A skill has no padding.
-bool is_equal(const BotSkill& a, const BotSkill& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool is_equal(const BotSkill& a, const BotSkill& b) {
+    return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
+}
 
 class BotFiles : public testing::Test {
 protected:
