@@ -2,6 +2,7 @@
 // of the match itself.
 #include <algorithm>
 
+#include "game/bots/bot_file.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
