@@ -139,10 +139,7 @@ std::optional<Error> fault_of_base(const std::filesystem::path& assets, const Co
 /// faults are told with the name and the lines of its own file. `chain`: the bots that are based on this one.
 Expected<Config> open_with_bases(const std::filesystem::path& assets, const std::string& name,
                                  std::vector<std::string> chain) {
-    const auto path = text("bots/", name, ".toml");
-    const auto source = read_text_file(assets / path, max_data_file);
-    if (!source) return source.error();
-    auto file = Config::parse(*source, shown_path(assets, path), 1);
+    auto file = read_data_file(assets, text("bots/", name, ".toml"));
     if (!file || !file->root().has("base")) return file;
     const auto base = file->root().string("base");
     if (!file->is_sound()) return file;

@@ -62,9 +62,7 @@ void DataLoader::keep(const std::string& name, const Error& fault) {
 }
 
 Expected<Config> DataLoader::open(const std::string& name, bool decides) {
-    const auto source = read_text_file(assets_ / name, max_data_file);
-    if (!source) return source.error();
-    auto config = Config::parse(*source, shown(name), 1);
+    auto config = read_data_file(assets_, name);
     if (!config) return config;
     if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
     const auto stem = std::filesystem::path(name).stem().string() + ".";

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/config.h"
-#include "core/file.h"
 #include "core/parse.h"
 #include "core/text.h"
 #include "game/data/file_names.h"
@@ -38,10 +37,7 @@ Override read_override(const ConfigTable& table) {
 }
 
 Expected<Mutator> load_mutator(const std::filesystem::path& assets, const std::string& name) {
-    const auto path = text("mutators/", name, ".toml");
-    const auto source = read_text_file(assets / path, max_data_file);
-    if (!source) return source.error();
-    const auto file = Config::parse(*source, shown_path(assets, path), 1);
+    const auto file = read_data_file(assets, text("mutators/", name, ".toml"));
     if (!file) return file.error();
     const auto root = file->root();
     Mutator mutator{

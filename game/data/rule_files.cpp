@@ -1,7 +1,6 @@
 #include "game/data/rule_files.h"
 
 #include "core/config.h"
-#include "core/file.h"
 #include "core/text.h"
 #include "game/data/file_names.h"
 
@@ -9,8 +8,7 @@ namespace thaum::game::inline data {
 namespace {
 
 Expected<Config> read_rule_file(const std::filesystem::path& assets, const std::string& name) {
-    const auto source = read_text_file(assets / text("rules/", name, ".toml"), max_data_file);
-    return source ? Config::parse(*source, name, 1) : Expected<Config>(source.error());
+    return read_data_file(assets, text("rules/", name, ".toml"));
 }
 
 /// Whether a file of assets/rules is about the length of a match. One that cannot be read counts as such, so
@@ -22,9 +20,7 @@ bool is_match_length(const std::filesystem::path& assets, const std::string& nam
 
 std::vector<std::string> rule_files(const std::filesystem::path& assets, bool lengths) {
     auto names = stems_in(assets / "rules");
-    std::erase_if(names, [&](const auto& name) {
-        return !plain_name(name) || is_match_length(assets, name) != lengths;
-    });
+    std::erase_if(names, [&](const auto& name) { return is_match_length(assets, name) != lengths; });
     return names;
 }
 

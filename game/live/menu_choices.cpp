@@ -6,13 +6,13 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/bots/bot_file.h"
+#include "game/data/file_names.h"
 #include "game/data/mutator.h"
 #include "game/data/rule_files.h"
 
 namespace thaum::game::inline live {
 namespace {
 
-constexpr std::size_t max_data_file = 1U << 20U;
 constexpr Tick longest_shown = ticks(24 * 3600.0);  ///< rules of a longer round are shown as "no time limit"
 
 MenuContext::Named told(const std::string& name, const RoundRules& rules) {
@@ -27,14 +27,8 @@ MenuContext::Named broken(const std::string& name, const Error& error) {
     return {name, text(name, ": cannot be read"), error.message};
 }
 
-Expected<Config> config_of(const std::filesystem::path& assets, const std::string& name) {
-    const auto source = read_text_file(assets / name, max_data_file);
-    if (!source) return source.error();
-    return Config::parse(*source, shown_path(assets, name), 1);
-}
-
 MenuContext::Named rules_of(const std::filesystem::path& assets, const std::string& name) {
-    const auto config = config_of(assets, text("rules/", name, ".toml"));
+    const auto config = read_data_file(assets, text("rules/", name, ".toml"));
     if (!config) return broken(name, config.error());
     const auto rules = read_round_rules(*config);
     if (const auto checked = config->check(); !checked) return broken(name, checked.error());
@@ -44,7 +38,7 @@ MenuContext::Named rules_of(const std::filesystem::path& assets, const std::stri
 /// Name and label of an arena, or a fault that prevents them. A match reports all other faults of the file.
 MenuContext::Named arena_of(const std::filesystem::path& assets, const std::string& name,
                             const std::vector<MenuContext::Named>& before) {
-    const auto config = config_of(assets, text("arenas/", name, ".toml"));
+    const auto config = read_data_file(assets, text("arenas/", name, ".toml"));
     if (!config) return broken(name, config.error());
     const auto root = config->root();
     const auto label = root.string("name", "");
